@@ -23,86 +23,90 @@ namespace CGAL {
  *
  * \brief builds a cubic B-spline shell of a closed mesh.
  *
- * The mesh is checked first; what a shell cannot be built for is refused with a status and the offending simplices.
- * Polygonal facets are triangulated. The field lives on the cells that the mesh enters and some rings of cells around
- * them, its coefficients minimize the paper's energy, and the two levels enclose it on the mesh, rounded outwards.
+ * The mesh is checked first. Invalid meshes are rejected with a status and the offending simplices. Polygonal facets
+ * are triangulated. The field is defined on the cells that the mesh intersects and on some rings of cells around them.
+ * Its coefficients minimize the paper's energy. The two levels enclose the field's values on the mesh and are rounded
+ * outwards.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam PolygonMesh a model of `FaceListGraph`
- * \tparam NamedParameters a sequence of named parameters, begun in `CGAL::Bspline_shells::parameters` or
- *         `CGAL::parameters`
+ * \tparam NamedParameters a sequence of named parameters that begins in `CGAL::Bspline_shells::parameters` or
+ *   `CGAL::parameters`
  *
- * \param mesh the mesh; its facets may face either side of the volume that it bounds, and the field grows the way they
- *        face
+ * \param mesh the mesh; its facets may be oriented either way, and the field increases in the direction that they face
  * \param np optional named parameters:
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{resolution}
- *       \cgalParamDescription{the paper's \f$\gamma\f$, cells per longest side of the mesh's box}
+ *       \cgalParamDescription{the paper's \f$\gamma\f$: the number of cells per longest side of the mesh's bounding
+ *         box}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{50}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{grid_spacing}
- *       \cgalParamDescription{instead, the edge length of a cell in user units}
+ *       \cgalParamDescription{edge length of a cell in user units, used instead of `resolution`}
  *       \cgalParamType{`double`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{number_of_rings}
- *       \cgalParamDescription{rings of cells around those that the mesh enters. By default two, and more where the
- *         shell would leave them, added up to five times}
+ *       \cgalParamDescription{rings of cells around the cells that the mesh intersects. By default two; rings are added
+ *         up to five times if the shell would leave the cells.}
  *       \cgalParamType{`int`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{dense_grid}
- *       \cgalParamDescription{all cells of the mesh's box and some rings around it, as in the paper (whose energy is
- *         `Energy_weights::paper()`)}
+ *       \cgalParamDescription{if `true`, all cells of the mesh's bounding box and some rings around it are used, as in
+ *         the paper (whose energy is `Energy_weights::paper()`)}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{energy_weights}
- *       \cgalParamDescription{the paper's \f$\mu\f$ and \f$\zeta\f$ by default, without \f$E_{singularH}\f$}
+ *       \cgalParamDescription{by default the paper's \f$\mu\f$ and \f$\zeta\f$, without \f$E_{singularH}\f$}
  *       \cgalParamType{`Bspline_shells::Energy_weights`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{spd_solver}
- *       \cgalParamDescription{a model of `SPDSolver`. Pass `std::ref(solver)` to look at it afterwards}
+ *       \cgalParamDescription{a model of `SPDSolver`. Pass `std::ref(solver)` to inspect it afterwards.}
  *       \cgalParamDefault{`Bspline_shells::Conjugate_gradient_solver`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{signed_distance_oracle}
- *       \cgalParamDescription{a model of `SignedDistanceOracle_3`, instead of the distance to the mesh. Pass
- *         `std::cref(oracle)` not to copy it}
+ *       \cgalParamDescription{a model of `SignedDistanceOracle_3`, used instead of the distance to the mesh. Pass
+ *         `std::cref(oracle)` to avoid a copy.}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{memory_limit}
- *       \cgalParamDescription{bytes that the construction may take, about; unlimited by default}
+ *       \cgalParamDescription{approximate number of bytes that the construction may use; unlimited by default}
  *       \cgalParamType{`double`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{time_limit}
- *       \cgalParamDescription{seconds, after which the construction ends with the status `TIME_LIMIT_EXCEEDED`, and no
- *         shell; unlimited by default}
+ *       \cgalParamDescription{seconds after which the construction ends with the status `TIME_LIMIT_EXCEEDED` and
+ *         without a shell; unlimited by default}
  *       \cgalParamType{`double`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{allow_self_intersections}
- *       \cgalParamDescription{do not refuse such meshes. The side of a point is then that of its closest facet.}
+ *       \cgalParamDescription{if `true`, self-intersecting meshes are accepted. The side of a point is then that of its
+ *         closest facet.}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{allow_singular_vertices}
- *       \cgalParamDescription{do not refuse such meshes. The side of a point is then that of its closest facet.}
+ *       \cgalParamDescription{if `true`, meshes with singular vertices are accepted. The side of a point is then that
+ *         of its closest facet.}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{allow_open_shell}
- *       \cgalParamDescription{do not refuse a shell that runs into the end of the cells}
+ *       \cgalParamDescription{if `true`, a shell that reaches the boundary of the cells is accepted}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
- *       \cgalParamDescription{a model of `ShellVisitor`; pass `std::ref(visitor)` to keep its state}
+ *       \cgalParamDescription{a model of `ShellVisitor`. Pass `std::ref(visitor)` to keep its state.}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{vertex_point_map}
- *       \cgalParamDescription{as in all of \cgal}
+ *       \cgalParamDescription{as in other \cgal packages}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
  *
- * \return a shell that certainly contains the mesh, or none and the reason (`Bspline_shell_3::status()`). If a
- *         parameter is not allowed, `Shell_report::invalid_parameter` has its name and its bounds.
- * \cgalHeading{Cost} time and memory grow with the number of cells, about the square of the resolution
+ * \return a shell that is proved to contain the mesh, or no shell and the reason (`Bspline_shell_3::status()`). If a
+ *   parameter is invalid, `Shell_report::invalid_parameter` contains its name and bounds.
+ * \cgalHeading{Cost} Time and memory grow with the number of cells, which is about proportional to the square of the
+ *   resolution.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename PolygonMesh,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -138,7 +142,7 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
     const BS::Shell_status checked = construction.check<ConcurrencyTag>(mesh, np);
     if(checked != BS::Shell_status::SUCCESS) return Bspline_shell_3<>(construction.end(checked));
 
-    // a copy, unless it was passed by reference
+    // copied, unless passed by reference
     [[maybe_unused]] auto&& distance = get_parameter_reference(np, tags::signed_distance_oracle);
     std::optional<BS::Any_signed_distance_3> oracle;
     if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value) oracle.emplace(distance);

@@ -29,84 +29,86 @@ namespace CGAL {
  *
  * \brief builds a certified cubic B-spline shell of a mesh.
  *
- * An open mesh is closed first, by triangles that the shell keeps (`Bspline_shell_3::closing()`): caps of its holes, or
- * a sheet behind it. They are part of what is certified, and of no result: maps, edits and certificates take open
- * meshes with the same border, and leave it as it is.
+ * An open mesh is closed first, by triangles that the shell stores (`Bspline_shell_3::closing()`): caps of its holes,
+ * or a sheet behind it. These triangles are certified too, but they are not part of any result. Maps, edits and
+ * certificates take open meshes with the same border, which they do not change.
  *
- * The mesh is checked first; what a shell cannot be built for is refused with a status and the offending simplices.
- * Polygonal facets are triangulated. A field is fitted on coarse cells around the mesh; cells are halved where the
- * field is too large on the mesh for the thickness asked for, and where the certificate fails, until all claims are
- * proved, no refinement can help, or a limit is reached (`Certified_refinement`). The thresholds are half the thickness
- * away from the mesh, and nearer where thin parts and narrow gaps demand it.
+ * The mesh is checked first. Invalid meshes are rejected with a status and the offending simplices. Polygonal facets
+ * are triangulated. A field is fitted on coarse cells around the mesh. Cells are halved where the field on the mesh is
+ * too large for the requested thickness, and where the certificate fails. Refinement ends when all claims are proved,
+ * when it no longer helps, or when a limit is reached (`Certified_refinement`). The thresholds are half the thickness
+ * away from the mesh, and closer at thin parts and narrow gaps.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam PolygonMesh a model of `FaceListGraph`
- * \tparam NamedParameters a sequence of named parameters, begun in `CGAL::Bspline_shells::parameters` or
- *         `CGAL::parameters`
+ * \tparam NamedParameters a sequence of named parameters that begins in `CGAL::Bspline_shells::parameters` or
+ *   `CGAL::parameters`
  *
- * \param mesh the mesh; its facets may face either side of the volume that it bounds, and the field grows the way they
- *        face
+ * \param mesh the mesh; its facets may be oriented either way, and the field increases in the direction that they face
  * \param np optional named parameters:
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{relative_thickness}
- *       \cgalParamDescription{the largest thickness of the shell, as a part of the longest side of the mesh's box;
- *         positive, and less than twenty root cells}
+ *       \cgalParamDescription{the largest thickness of the shell, as a fraction of the longest side of the mesh's
+ *         bounding box; positive, and less than 20 root cells}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{0.01}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{thickness}
- *       \cgalParamDescription{instead, in user units; the same bounds}
+ *       \cgalParamDescription{the largest thickness in user units, used instead of `relative_thickness`; same bounds}
  *       \cgalParamType{`double`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{sizing}
- *       \cgalParamDescription{instead, a function that returns the thickness near a point, user units: positive and
- *         finite. Several threads call it at once, unless `ConcurrencyTag` is `Sequential_tag`.}
+ *       \cgalParamDescription{a function that returns the thickness near a point in user units, used instead of
+ *         `relative_thickness`; its values must be positive and finite. Several threads call it concurrently, unless
+ *         `ConcurrencyTag` is `Sequential_tag`.}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{constant_thresholds}
- *       \cgalParamDescription{the same two levels everywhere, the tightest ones, as in the paper. Thin parts and narrow
- *         gaps then ask for a thinner shell, and smaller cells, everywhere.}
+ *       \cgalParamDescription{if `true`, the two thresholds are constant and as tight as possible, as in the paper.
+ *         Thin parts and narrow gaps then require a thinner shell and smaller cells everywhere.}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{resolution}
- *       \cgalParamDescription{root cells per longest side of the mesh's box, positive; default 30, or as few as 20
- *         where most of the mesh is nearly flat in wider cells (`Bspline_shells::choose_resolution()`)}
+ *       \cgalParamDescription{number of root cells per longest side of the mesh's bounding box; positive. By default
+ *         30, or down to 20 if most of the mesh is nearly flat in wider cells (`Bspline_shells::choose_resolution()`).}
  *       \cgalParamType{`double`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{time_limit}
- *       \cgalParamDescription{seconds, after which the construction ends with the status `TIME_LIMIT_EXCEEDED`, and no
- *         shell; unlimited by default. A limit that is not reached has no influence on the shell. The limit holds
- *         within each pass; the caller's own solver, oracle and sizing field are not interrupted.}
+ *       \cgalParamDescription{seconds after which the construction ends with the status `TIME_LIMIT_EXCEEDED` and
+ *         without a shell; unlimited by default. A limit that is not reached does not affect the shell. The limit also
+ *         applies within each step, but the caller's own solver, oracle and sizing field are not interrupted.}
  *       \cgalParamType{`double`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{effort_limit}
- *       \cgalParamDescription{the number of cells that may be fitted in all rounds of refinement together. After the
- *         first round, none begins that would exceed it. By default 1.5e6, which takes about a minute on two cores.
- *         Unlike a limit of time, it gives the same shell on every machine.}
+ *       \cgalParamDescription{the total number of cells that may be fitted in all rounds of refinement. After the first
+ *         round, no round begins that would exceed it. The default is 1.5e6, which takes about a minute on two cores.
+ *         Unlike a time limit, it yields the same shell on every machine.}
  *       \cgalParamType{`double`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{memory_limit}
- *       \cgalParamDescription{bytes, about, above which no new round begins}
+ *       \cgalParamDescription{approximate number of bytes above which no new round begins}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{4e9}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{virtual_closing}
- *       \cgalParamDescription{whether open meshes are closed, rather than refused}
+ *       \cgalParamDescription{whether open meshes are closed; otherwise they are rejected}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`true`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{closing}
- *       \cgalParamDescription{instead, the triangles that close the mesh; they must have the same border, and only
- *         that}
+ *       \cgalParamDescription{triangles that close the mesh, used instead of a virtual closing; their border must equal
+ *         that of the mesh}
  *       \cgalParamType{`Shell_closing_3`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{truncate}
- *       \cgalParamDescription{whether tips of the mesh are replaced (`Bspline_shell_3::truncation()`) where facets face
- *         no common direction, or hardly one; default `true`, unless self-intersections are allowed}
+ *       \cgalParamDescription{whether tips of the mesh are replaced (`Bspline_shell_3::truncation()`) if their facets
+ *         face no common direction, or nearly none; default `true`. Meshes are not truncated if self-intersections are
+ *         allowed.}
  *       \cgalParamType{`bool`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{least_cone_margin}
- *       \cgalParamDescription{for vertices with a smaller `Bspline_shells::vertex_cone_margin()`, between 0 and 1}
+ *       \cgalParamDescription{vertices with a smaller `Bspline_shells::vertex_cone_margin()` are truncated; at least 0
+ *         and less than 1}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{0.01}
  *     \cgalParamNEnd
@@ -136,11 +138,12 @@ namespace CGAL {
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
  *
- * \return a shell that certainly contains the mesh, or none and the reason (`Bspline_shell_3::status()`). If a
- *         parameter is not allowed, `Shell_report::invalid_parameter` has its name and its bounds. Whether it is
- *         certified, and why not, `Bspline_shell_3::is_certified()`, `Bspline_shell_3::message()` and the report tell.
- * \cgalHeading{Cost} linear in the number of cells, most of which are small ones along creases and thin parts, and in
- *   the number of facets
+ * \return a shell that is proved to contain the mesh, or no shell and the reason (`Bspline_shell_3::status()`). If a
+ *   parameter is invalid, `Shell_report::invalid_parameter` contains its name and bounds.
+ *   `Bspline_shell_3::is_certified()` returns whether the shell is certified; `Bspline_shell_3::message()` and the
+ *   report give the reason if it is not.
+ * \cgalHeading{Cost} Linear in the number of facets and in the number of cells. Most cells are small and lie along
+ *   creases and thin parts.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename PolygonMesh,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -161,7 +164,7 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh,
                                                    parameters.relative_thickness);
   if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::thickness_t>::value)
     parameters.thickness = get_parameter(np, tags::thickness);
-  // a copy, unless it was passed by reference
+  // copied, unless passed by reference
   [[maybe_unused]] auto&& sizing = get_parameter_reference(np, tags::sizing);
   if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::sizing_t>::value)
     parameters.sizing = [&sizing](const Certified_bspline_shell_3::Point_3& p) { return double(sizing(p)); };
@@ -210,7 +213,7 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh,
     const BS::Shell_status checked = construction.check<ConcurrencyTag>(mesh, np, closer, truncator);
     if(checked != BS::Shell_status::SUCCESS) return Certified_bspline_shell_3(construction.end(checked));
 
-    // a copy, unless it was passed by reference
+    // copied, unless passed by reference
     [[maybe_unused]] auto&& distance = get_parameter_reference(np, tags::signed_distance_oracle);
     std::optional<BS::Any_signed_distance_3> oracle;
     if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::signed_distance_oracle_t>::value) oracle.emplace(distance);

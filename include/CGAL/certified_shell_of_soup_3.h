@@ -30,18 +30,20 @@ namespace CGAL {
 /*!
  * \ingroup PkgBsplineShell3Ref
  *
- * \brief makes a certified shell of polygons, whatever they form: of the mesh that they are, repaired where little is
- * missing (`Bspline_shells::repair_soup()`), and closed virtually where it is open; or of a proxy
+ * \brief builds a certified shell of a polygon soup.
+ *
+ * If the polygons form a mesh, the shell is that of the mesh, after small repairs (`Bspline_shells::repair_soup()`)
+ * and, for an open mesh, a virtual closing. Otherwise, or if that shell is not certified, it is the shell of a proxy
  * (`certified_soup_proxy_3()`).
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
- * \tparam NamedParameters a sequence of named parameters, begun in `CGAL::Bspline_shells::parameters` or
+ * \tparam NamedParameters a sequence of named parameters that begins in `CGAL::Bspline_shells::parameters` or
  *   `CGAL::parameters`
- * \param soup the polygons, as `Bspline_shells::read_polygon_soup()` reads them
- * \param np optional named parameters: those of `certified_soup_proxy_3()`. The `time_limit()` is for the mesh and the
- *   proxy together; when it is reached, no other attempt begins.
- * \return the shell, and what it is of. If neither the mesh nor the proxy gets a certified shell, one of the mesh that
- *   is not certified, if there is one.
+ * \param soup the polygons, as returned by `Bspline_shells::read_polygon_soup()`
+ * \param np optional named parameters: those of `certified_soup_proxy_3()`. The `time_limit()` applies to the mesh and
+ *   the proxy together; once it is reached, no further attempt begins.
+ * \return the shell and its kind. If neither the mesh nor the proxy has a certified shell, the uncertified shell of the
+ *   mesh is returned, if there is one.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::Polygon_soup& soup,
@@ -63,7 +65,7 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
     result.mesh_status = BS::Shell_status::INVALID_PARAMETER;
     return result;
   }
-  BS::Shell_status* status = &result.mesh_status; // or of the proxy, once it is tried
+  BS::Shell_status* status = &result.mesh_status; // or that of the proxy, once it is tried
   const auto attempt_all = [&] {
     result.mesh_status = BS::repair_soup(soup, result.repaired_mesh, result.repairs, result.offending_simplices);
     if(result.mesh_status == BS::Shell_status::INVALID_PARAMETER)

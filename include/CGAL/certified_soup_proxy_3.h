@@ -33,51 +33,54 @@ namespace CGAL {
 /*!
  * \ingroup PkgBsplineShell3Ref
  *
- * \brief makes a clean proxy of a polygon soup, with a certified shell: for what is no surface, as it intersects
- * itself, has gaps, or is not manifold or not oriented.
+ * \brief builds a clean proxy of a polygon soup, with a certified shell.
  *
- * The proxy is a closed mesh around the soup (`CGAL::alpha_wrap_3()`). Each point of the soup that is in its shell has
- * one image on it; what the proxy sees of the soup gives it its attributes (`Bspline_shells::Soup_map_3`). The proxy
- * can be simplified, remeshed and computed on as any mesh in its shell.
+ * The soup need not be a surface: it may intersect itself, have gaps, and be non-manifold or not oriented.
  *
- * What the proxy cannot see, as inner parts and gaps narrower than `alpha`, gets nothing. The points of a sheet without
- * thickness are as near to the proxy on one side as on the other, and so too far from it for the shell: images are
- * continued by the smallest distance, and marked.
+ * The proxy is a closed mesh around the soup (`CGAL::alpha_wrap_3()`). Each point of the soup that lies in the shell
+ * has one image on the proxy, and the proxy receives the attributes of the parts of the soup that it sees
+ * (`Bspline_shells::Soup_map_3`). Like any mesh in its shell, the proxy can be simplified, remeshed and used for
+ * computations.
+ *
+ * Parts that the proxy does not see, such as inner parts and gaps narrower than `alpha`, are not represented on it. The
+ * points of a sheet without thickness are equally close to both sides of the proxy, and hence too far from it for the
+ * shell. Points outside the shell are mapped to the closest point of the proxy, and these images are marked.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam PointRange a range of points of a \cgal kernel; coordinates are rounded to `double`s
  * \tparam PolygonRange a range of ranges of positions of points
- * \tparam NamedParameters a sequence of named parameters, begun in `CGAL::Bspline_shells::parameters` or
+ * \tparam NamedParameters a sequence of named parameters that begins in `CGAL::Bspline_shells::parameters` or
  *   `CGAL::parameters`
  * \param points the points
  * \param polygons the polygons
  * \param np optional named parameters:
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{alpha}
- *       \cgalParamDescription{the width of gaps and cavities that the proxy enters, user units}
+ *       \cgalParamDescription{width of the gaps and cavities that the proxy enters, user units}
  *       \cgalParamType{`double`}
- *       \cgalParamDefault{1/50 of the longest side of the box}
+ *       \cgalParamDefault{1/50 of the longest side of the bounding box}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{offset}
- *       \cgalParamDescription{how far the proxy is from the soup, user units}
+ *       \cgalParamDescription{distance of the proxy from the soup, user units}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{a quarter of `alpha`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{time_limit}
- *       \cgalParamDescription{seconds for the wraps and the shells together, after which the status is
- *         `TIME_LIMIT_EXCEEDED`. It has no influence on which proxy is made.}
+ *       \cgalParamDescription{seconds for all wraps and shells together, after which the status is
+ *         `TIME_LIMIT_EXCEEDED`. The limit does not affect the choice of the proxy.}
  *       \cgalParamType{`double`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
- *   All of `certified_bspline_shell_3()` but `vertex_point_map`, `closing` and `virtual_closing`; a
- *   `signed_distance_oracle()` is that of the proxy. The thickness is at least eight times the offset, unless there is
- *   a `sizing()`: half of it is behind the proxy, and must reach what lies deep in corners. If the proxy cannot be
- *   certified within the limits of memory, effort and rounds, one with twice the `alpha` and `offset` is made.
- * \return the proxy, or the reason why there is none, and the polygons and points to blame: `EMPTY_MESH`;
+ *   All parameters of `certified_bspline_shell_3()` except `vertex_point_map`, `closing` and `virtual_closing` are
+ *   accepted; a `signed_distance_oracle()` must be that of the proxy. Unless `sizing()` is given, the thickness is at
+ *   least eight times the offset, but not raised above 19 root cells: half of it lies behind the proxy and must reach
+ *   the soup in deep corners. If the proxy cannot be certified within the limits of memory, effort and rounds, a second
+ *   one is built with twice the `alpha` and `offset`.
+ * \return the proxy, or the reason why there is none and the offending polygons and points: `EMPTY_MESH`;
  *   `INVALID_PARAMETER`, also if a polygon refers to a point that does not exist; `NOT_FINITE`,
  *   `COORDINATES_OUT_OF_RANGE`; `DEGENERATE_FACET` if no polygon has an area; `GRID_TOO_FINE` if the offset is too
- *   small for the coordinates; `MEMORY_LIMIT_EXCEEDED`; and those of `certified_bspline_shell_3()` about the proxy
- * \cgalHeading{Cost} that of the wrap, and that of its certified shell
+ *   small for the coordinates; `MEMORY_LIMIT_EXCEEDED`; and the statuses of `certified_bspline_shell_3()` for the proxy
+ * \cgalHeading{Cost} The cost of the wrap plus that of its certified shell.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename PointRange, typename PolygonRange,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -129,9 +132,9 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
   invalid.check("memory_limit", max_bytes, BS::Parameter_bounds::positive_or_infinite());
   if(invalid) return BS::Soup_proxy_3(BS::Shell_status::INVALID_PARAMETER, BS::Offending_simplices(), invalid);
 
-  // What the shell is asked to reach, unless the caller asks for more: 19 rings of cells, the most that there may be.
+  // Bound of the automatic increase of the thickness: 19 root cells. The shell must be thinner than 20 root cells.
   const double deepest = 19 * unit / resolution;
-  double last_scale = 1; // which the last wrap had, relative to `alpha`
+  double last_scale = 1; // relative to `alpha`
   const auto attempt = [&](double scale) {
     BS::Soup_proxy_3::Mesh wrap;
     BS::Proxy_report report;
@@ -161,7 +164,7 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
     [&] {
       BS::Soup_proxy_3 proxy = attempt(1);
       if(is_final(proxy)) return proxy;
-      // the thinner the proxy's parts, the more cells they need
+      // Thinner parts of the proxy need more cells.
       BS::Soup_proxy_3 coarser = attempt(2 * last_scale);
       return is_final(coarser) || !proxy ? std::move(coarser) : std::move(proxy);
     },

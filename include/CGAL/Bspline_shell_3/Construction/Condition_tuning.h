@@ -16,19 +16,19 @@ namespace Bspline_shells {
 /// only.
 struct Condition_tuning
 {
-  /// Width of a piece of the mesh, in cells, up to which one condition in its middle stands for it; the corners of
-  /// larger ones have conditions, too, unless there are more than `few_pieces` in the cell.
+  /// Largest width of a piece of the mesh, in cells, that one condition at its center represents. Larger pieces also
+  /// have conditions at their corners, unless the cell has more than `few_pieces` pieces.
   double small_piece = 0.25;
   std::size_t few_pieces = 8;
   /// Largest number of pieces in a cell that have conditions.
   std::size_t max_pieces = 48;
-  /// Least cosine between a direction and all normals nearby for it to be common to them.
+  /// Least cosine between a direction and every normal nearby, for the direction to count as common to them.
   double least_common_cosine = 0.01;
-  /// Slope asked for in a cell with a gap, in gaps per width of the cell.
+  /// Slope requested in a cell with a gap, as a multiple of gap / cell width.
   double slope_at_gap = 0.25;
-  /// Width of cells at a gap, in gaps, down to which they are halved at once.
+  /// Cells at a gap are halved at once until their width is at most this multiple of the gap.
   double cell_at_gap = 4;
-  /// Fraction of the field on the mesh in a cell above which a neighbor is refined like it.
+  /// A neighbor is refined like a cell if |f| on the mesh in it is at least this fraction of |f| in the cell.
   double similar = 0.7;
 };
 

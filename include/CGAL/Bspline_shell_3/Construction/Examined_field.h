@@ -29,11 +29,10 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief caches what was computed for the field of a round: its range on the mesh in each cell, the facets that it
+ * \brief caches the results computed for the field of a round: its range on the mesh in each cell, the facets that it
  * certainly crosses upwards, and the cover of the shell between its thresholds.
  *
- * There is one rule of invalidation: an entry remains valid for the next field if the field is the same in the cell
- * (`is_same_in_cell()`).
+ * An entry remains valid for the next field if the field is unchanged in the cell (`is_same_in_cell()`).
  *
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
  */
@@ -57,7 +56,7 @@ public:
 
   /// clears the cache for a new field.
   /// \param before the previous field, or null
-  /// \param keeps_caps whether thresholds stay as narrow as they had to be for the previous field
+  /// \param keeps_caps whether thresholds remain as narrow as they had to be for the previous field
   void is_another(const Field* before, bool keeps_caps)
   {
     m_ranges = Mesh_ranges(m_fitted.field()->number_of_cells());

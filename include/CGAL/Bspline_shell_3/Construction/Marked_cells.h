@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Construction
-/// calls `visit(n)` for a cell and those within half of its width of it, along all axes
+/// calls `visit(n)` for the cell `c` and for all cells within half of its width along all axes
 template <typename Visitor>
 void visit_around(const Cell_hierarchy_3& cells, Cell_hierarchy_3::Index c, const Visitor& visit)
 {
@@ -34,7 +34,7 @@ void visit_around(const Cell_hierarchy_3& cells, Cell_hierarchy_3::Index c, cons
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief cells that are to be split. Those that are as small as may be are left out.
+ * \brief the cells to split, except cells that are already as small as allowed.
  */
 class Marked_cells
 {
@@ -51,8 +51,8 @@ public:
     if(m_cells.level(c) < m_cells.max_level()) m_marked.push_back(c);
   }
 
-  /// and its neighbors of the same size, up to those next to it along so many axes: where slopes fail, what is split
-  /// must leave the field more freedom
+  /// marks a cell and its neighbors of the same size that differ from it along at most `axes` axes. Where slopes fail,
+  /// splitting a wider region gives the field more freedom.
   void mark_widely(Index c, int axes = 3)
   {
     const Lattice_point p = m_cells.lattice_point(c);
@@ -63,7 +63,7 @@ public:
     });
   }
 
-  /// ascending, each once
+  /// returns the marked cells, ascending and without duplicates
   const std::vector<Index>& sorted()
   {
     sort_unique(m_marked);

@@ -53,7 +53,7 @@ public:
   {}
 
   /// corrects the field until all conditions are met, or corrections no longer help.
-  /// \return `false` if too many conditions fail; `sloping_facets()` has them then
+  /// \return `false` if too many conditions fail; `sloping_facets()` then returns them
   bool mend()
   {
     if(!m_enforcement) begin();
@@ -118,7 +118,7 @@ private:
     m_enforcement->insert(std::move(conditions));
   }
 
-  // at the point of each thick cell where |f| is largest
+  // Adds a condition at the point of each thick cell where |f| is largest.
   void add_conditions_of_thick_cells(std::vector<Slope_condition>& conditions) const
   {
     for(const Thick_cell& t : m_examined.thick_cells())
@@ -186,8 +186,8 @@ private:
     return Outcome::MENDED;
   }
 
-  // Limits slopes in cells that are wider than a wall or gap in them to what such cells allow. Returns whether any
-  // slope was reduced.
+  // Limits the slopes required in cells that are wider than a wall or gap in them (`slopes_at_gaps()`). Returns whether
+  // any slope was reduced.
   bool limit_slopes(const std::vector<Index>& cells)
   {
     if(!m_slope_limits.empty()) return false;
@@ -201,9 +201,9 @@ private:
     return true;
   }
 
-  // Where some conditions are met only at the cost of others, all facets around are asked for a part of the least slope
-  // that one of them was asked for: along a sharp fin, a field that is steep on one facet may not increase through the
-  // next one. Returns false if that was done in this round.
+  // If conditions contradict each other, the slope required of all facets around is reduced to a fraction of the least
+  // one. Along a sharp fin, a field that is steep on one facet may not increase through the next one. Returns `false`
+  // if slopes were already reduced in this round.
   bool relax_slopes(const std::vector<Index>& cells)
   {
     if(!m_slope_limits.empty() || cells.empty()) return false;

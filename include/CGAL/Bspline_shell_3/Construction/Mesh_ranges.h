@@ -28,31 +28,30 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief a cell where a field may be too large on the mesh, and where it is largest among the points that were looked
- * at.
+ * \brief a cell where the size of a field may be too large on the mesh, and the examined point where it is largest.
  */
 struct Thick_cell
 {
   std::uint32_t cell;
-  std::uint32_t facet;         ///< of the point
+  std::uint32_t facet;         ///< facet of the point
   std::array<double, 3> point; ///< user units
 };
 
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief encloses a field on the part of the mesh in each cell, and is kept up to date where the field changes.
+ * \brief encloses a field on the part of the mesh in each cell, and updates these ranges where the field changes.
  *
- * Most cells need no more than to be told that the field is as small there as it should be, which its values at corners
- * and its second derivatives do. Elsewhere values on grids of points say more, and where these do not do, the field is
- * bounded by Bernstein coefficients of degree nine, on parts of triangles where that decides.
+ * For most cells, a proof that |f| is small enough suffices. It is based on the field's values at corners and on its
+ * second derivatives. Otherwise, the field is also evaluated on grids of points. If this does not suffice either, the
+ * field is bounded by Bernstein coefficients of degree nine, on parts of triangles where necessary.
  */
 class Mesh_ranges
 {
 public:
   typedef std::uint32_t Cell_index;
 
-  /// how well a range is known
+  /// precision of a range
   enum Precision : char
   {
     UNKNOWN,
@@ -64,13 +63,13 @@ public:
     : m_range(number_of_cells), m_precision(number_of_cells, UNKNOWN)
   {}
 
-  /// of each cell; empty without mesh
+  /// returns the range of each cell; empty if the cell does not contain a part of the mesh
   const std::vector<Level_range>& cells() const { return m_range; }
 
-  /// where the field exceeds the size last asked for, or cannot be shown not to; ascending
+  /// returns the cells where |f| exceeds the bound of the last update, or is not proved not to exceed it; ascending
   const std::vector<Thick_cell>& thick_cells() const { return m_thick; }
 
-  /// encloses the field on the mesh
+  /// returns an enclosure of the field on the mesh
   Level_range mesh() const
   {
     Level_range range;
@@ -78,10 +77,11 @@ public:
     return range;
   }
 
-  /// is to be called where the field has changed
+  /// invalidates the range of a cell; must be called where the field has changed
   void forget(Cell_index c) { m_precision[c] = UNKNOWN; }
 
-  /// takes over what is known of a cell that is the same, with the same field and part of the mesh
+  /// copies the results of cell `c` of `before` to cell `now`
+  /// \pre both are the same cell, with the same field and the same part of the mesh
   void keep(const Mesh_ranges& before, Cell_index c, Cell_index now)
   {
     m_range[now] = before.m_range[c];
@@ -93,17 +93,17 @@ public:
     m_thick.back().cell = now;
   }
 
-  /// bounds the field in all cells where less is known.
+  /// bounds the field in all cells whose ranges are less precise than `precision`.
   /// \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
   /// \param field the field
-  /// \param clipped the mesh, cut by the field's cells
-  /// \param largest what \f$|f|\f$ should be at most, a function of cells
-  /// \param precision `SUFFICIENT`, where that is all that counts, or `SHARP`
+  /// \param clipped the mesh, clipped to the field's cells
+  /// \param largest the value that \f$|f|\f$ should not exceed, a function of cells
+  /// \param precision `SUFFICIENT` if only a comparison with `largest` is needed, `SHARP` otherwise
   template <typename ConcurrencyTag, typename Field, typename Size>
   void update(const Field& field, const Clipped_mesh_3& clipped, const Size& largest, Precision precision)
   {
     constexpr std::size_t chunk = 16;
-    std::vector<std::pair<std::size_t, std::size_t> > outdated; // pieces of cells
+    std::vector<std::pair<std::size_t, std::size_t> > outdated; // ranges of pieces, by cell
     const std::vector<Clipped_mesh_3::Piece>& pieces = clipped.pieces();
     for(std::size_t n = 0, next; n < pieces.size(); n = next) {
       for(next = n + 1; next < pieces.size() && pieces[next].cell == pieces[n].cell; ++next) {}
@@ -128,8 +128,8 @@ public:
     std::sort(m_thick.begin(), m_thick.end(), [](const Thick_cell& a, const Thick_cell& b) { return a.cell < b.cell; });
   }
 
-  /// encloses the field on each facet, coarsely
-  /// \pre all ranges are known
+  /// returns a coarse enclosure of the field on each facet
+  /// \pre the ranges of all cells are known
   template <typename ConcurrencyTag, typename Field>
   std::vector<Level_range> facets(const Field& field, const Clipped_mesh_3& clipped) const
   {
@@ -155,7 +155,7 @@ private:
   struct Bounds_by_corners
   {
     Level_range at_corners, range;
-    std::size_t corner; // where the field is largest, and its size there
+    std::size_t corner; // corner where |f| is largest; `size` is |f| there
     double size;
   };
 
@@ -166,7 +166,7 @@ private:
     std::vector<Bounds_by_corners> by_corners;
   };
 
-  // in a cell
+  // Bounds of the field in a cell.
   template <typename Field>
   struct Bounds
   {
@@ -175,7 +175,7 @@ private:
 
     Bounds(const Field& field, Cell_index c) : in(field, c), corner_bounds(enclosed_value(in.cell)) {}
 
-    // also gets the corners in the cell
+    // Also returns the corners in local coordinates.
     Bounds_by_corners by_corners(const Clipped_mesh_3& clipped, const Clipped_mesh_3::Piece& piece,
                                  std::vector<std::array<double, 3> >& corners) const
     {
@@ -200,8 +200,8 @@ private:
       return { values.min - excess.first - in.error, values.max + excess.second + in.error };
     }
 
-    // How far the field may be beyond its values on the grid below: one of the triangles that it makes of a triangle
-    // has the edges of all of them.
+    // Bounds by how much the field may exceed its values on a `Grid_on_triangle`. All triangles of the grid are
+    // congruent, so one of them suffices.
     std::pair<double, double> excess_on_grid(const std::vector<std::array<double, 3> >& corners, int halvings,
                                              std::vector<std::array<double, 3> >& part) const
     {
@@ -215,13 +215,13 @@ private:
       return most;
     }
 
-    // visit(point, value) for what that many halvings of edges add to the corners, or to the grid before
+    // Calls `visit(point, value)` for the points of the grid that are not on the grid with one halving less.
     template <typename Visitor>
     void visit_grid(const std::vector<std::array<double, 3> >& corners, int halvings, const Visitor& visit) const
     {
       for(std::size_t v = 1; v + 1 < corners.size(); ++v) {
         const Grid_on_triangle grid = { corners[0], corners[v], corners[v + 1], halvings };
-        const int first = v == 1 ? 0 : 1; // the triangle before has the edge between them
+        const int first = v == 1 ? 0 : 1; // the common edge was visited with the previous triangle
         for(int j = first; j <= 1 << halvings; ++j)
           for(int i = 0; i + j <= 1 << halvings; ++i) {
             if(i % 2 == 0 && j % 2 == 0) continue;
@@ -232,7 +232,7 @@ private:
     }
   };
 
-  // the points that halvings of the edges of a triangle in a cell lead to
+  // The grid of points that repeated halving of a triangle's edges yields, in local coordinates.
   struct Grid_on_triangle
   {
     std::array<double, 3> p, q, r;
@@ -249,7 +249,7 @@ private:
 
   static bool is_within(const Level_range& range, double size) { return range.min >= -size && range.max <= size; }
 
-  // the pieces of a cell; returns a point if it is thick
+  // Bounds the field on the pieces of a cell. Returns a point if the cell is thick.
   template <typename Field>
   std::optional<Thick_cell> bound(const Field& field, const Clipped_mesh_3& clipped, std::size_t first,
                                   std::size_t last, double size, Precision precision, Scratch& scratch)
@@ -257,7 +257,7 @@ private:
     const Cell_index c = clipped.pieces()[first].cell;
     const Bounds<Field> bounds(field, c);
     const auto& in = bounds.in;
-    // first, what the corners say
+    // First, bounds by the values at corners.
     auto& by_corners = scratch.by_corners;
     by_corners.clear();
     Level_range attained;
@@ -280,8 +280,8 @@ private:
       place.facet = facet;
       for(int a = 0; a < 3; ++a) place.point[a] = in.cell.corner()[a] + in.cell.width() * x[a];
     };
-    // A cell is thick whatever else is found, if it is at a point; that should be about the worst one. Pieces on which
-    // the field is nearly between values that it has elsewhere need not be known better.
+    // Once |f| exceeds the bound at a point, the cell is thick. The search then only continues for a point where |f| is
+    // nearly largest. Pieces whose ranges exceed the attained values by little need no better bounds.
     const auto open_from = [&] { return most > size ? most / threshold_tuning.nearly_largest : size; };
     const double excess = threshold_tuning.range_excess * size;
     const auto is_enough = [&](const Level_range& r) {
@@ -297,7 +297,7 @@ private:
       const Clipped_mesh_3::Piece& piece = clipped.pieces()[n];
       in.get_corners(clipped, piece, scratch.corners);
       const auto& corners = scratch.corners;
-      // then, what a grid says that may be fine enough
+      // Then, bounds by a grid, if it may be fine enough.
       Level_range values = by_corners[n - first].at_corners;
       bool is_known = false;
       for(int halvings = 1, seen = 0; halvings <= threshold_tuning.max_grid_halvings && !is_known; ++halvings) {
@@ -325,7 +325,7 @@ private:
         see(b[54], piece.facet, t.r);
         const auto hull = std::minmax_element(b.begin(), b.end());
         const Level_range part = { *hull.first - in.error, *hull.second + in.error };
-        // so written that bounds that are not numbers end the search
+        // written such that the search ends if bounds are NaN
         const bool is_open = (std::max)(-part.min, part.max) > open_from();
         if(is_open && t.depth < threshold_tuning.max_range_depth) t.push_quarters(stack);
         else range.include(part);

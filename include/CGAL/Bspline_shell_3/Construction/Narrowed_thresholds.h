@@ -41,30 +41,28 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief when the search for thresholds ends although some could be narrowed further.
+ * \brief limits at which the search for thresholds ends, even if some thresholds could be narrowed further.
  */
 struct Narrowing_limits
 {
   int max_passes = 8;
-  /// cells; with more of them, two passes are enough
+  /// number of cells with obstacles above which the search ends after `Threshold_tuning::max_passes_of_many` passes
   std::size_t many_obstacles = std::numeric_limits<std::size_t>::max();
 };
 
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief chooses the thresholds of a shell. Where it is undecided whether the shell has a critical point, or where it
- * reaches the end of the domain, the threshold next to that place is narrowed, as far as the mesh allows.
+ * \brief chooses the thresholds of a shell. Thresholds are narrowed where it is undecided whether the shell has a
+ * critical point, and where the shell reaches the end of the domain. The mesh limits how far.
  *
- * How far a threshold has to be narrowed is told by the values that the field may have at critical points in undecided
- * boxes
- * (`Shell_cover_3::critical_values()`). Within a thin wall, critical points are all over, and a cell may have more
- * boxes across its surface than the cover allows: where the threshold is near enough to zero already, only a finer
- * cover would decide.
+ * Critical values in undecided boxes determine how far to narrow (`Shell_cover_3::critical_values()`). A thin wall
+ * contains many critical points, and a cell may need more boxes across its surface than the cover allows. If the
+ * threshold is already close enough to zero there, only a finer cover can decide.
  *
- * Each pass covers the shell anew (`Shell_cover_3`), except in cells where field and thresholds have not changed. What
- * is known is kept for further fields, too: on the same cells (`field_has_changed()`), and on finer ones
- * (`cells_were_refined()`); or caps alone (`forget_field()`).
+ * Each pass covers the shell anew (`Shell_cover_3`), except in cells where field and thresholds have not changed.
+ * Results are also kept for later fields: on the same cells (`field_has_changed()`) and on finer cells
+ * (`cells_were_refined()`). `forget_field()` keeps only the caps.
  *
  * \tparam Field `Hierarchical_bspline_field_3`
  */
@@ -79,9 +77,9 @@ public:
   /// \param seeds a point on each component of the mesh
   explicit Narrowed_thresholds(std::vector<Point_3> seeds) : m_seeds(std::move(seeds)) {}
 
-  /// begins with thresholds as wide as asked for, but where earlier ones had to be narrower
+  /// begins with thresholds of the requested width, except where earlier ones had to be narrower
   /// \param field as for `choose()`
-  /// \param thickness asked for, a function of points, user units
+  /// \param thickness the requested thickness, a function of points, user units
   /// \pre `field` outlives the calls of `choose()` that follow
   template <typename Thickness>
   void begin(const Field& field, const Thickness& thickness)
@@ -89,27 +87,28 @@ public:
     m_field = &field;
     m_is_constant = false;
     m_wanted.emplace(field, thickness);
-    for(const Cap& cap : m_caps) m_wanted->cap(cap); // these would be found again
+    for(const Cap& cap : m_caps) m_wanted->cap(cap); // otherwise, they would be found again
   }
 
-  /// replaces what was asked for by the same two levels everywhere, which are not narrowed
+  /// replaces the requested thresholds by two constant levels, which are not narrowed
   void set_constant(const Level_range& levels)
   {
     m_wanted->set_constant(levels);
     m_is_constant = true;
   }
 
-  /// chooses thresholds for the present field
+  /// chooses thresholds for the current field
   /// \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
   /// \tparam Ranges a function of `Mesh_ranges::Precision`
-  /// \param ranges encloses the field on the part of the mesh in each cell
-  /// \return where the mesh needs them wider than they should be; if nowhere, where a finer cover would have to decide
+  /// \param ranges returns enclosures of the field on the part of the mesh in each cell
+  /// \return the places where the mesh requires wider thresholds than obstacles allow; if there are none, the places
+  ///   where only a finer cover can decide
   /// \pre `begin()` was called
   template <typename ConcurrencyTag, typename Ranges>
   std::vector<Threshold_obstacle> choose(const Ranges& ranges, const Narrowing_limits& limits)
   {
     CGAL_precondition(m_wanted.has_value());
-    // what the mesh needs counts where thresholds are capped
+    // Caps are limited by the ranges on the mesh, so these must be sharp.
     bool is_sharp = !m_wanted->caps().empty();
     m_tight.clear();
     if(!m_is_constant) m_wanted->set_mesh_ranges(ranges(is_sharp ? Mesh_ranges::SHARP : Mesh_ranges::SUFFICIENT));
@@ -128,7 +127,7 @@ public:
       const std::vector<Threshold_obstacle> narrowed = narrow(nearest, obstacles, unresolved);
       std::vector<Cell_index> now(m_field->number_of_cells());
       std::iota(now.begin(), now.end(), Cell_index(0));
-      // there may be more boxes for them next time
+      // Cover these cells again, possibly with more boxes.
       for(const Threshold_obstacle& u : unresolved) now[u.cell] = Field::npos;
       m_examined.emplace(Examined{ *m_inner, *m_outer, std::move(cover), std::move(now) });
       const bool is_enough = pass + 1 >= threshold_tuning.max_passes_of_many && !obstacles.empty()
@@ -144,7 +143,7 @@ public:
     }
   }
 
-  /// where a pass of the last `choose()` found little room, or none
+  /// returns the places where a pass of the last `choose()` found little or no room
   std::vector<Threshold_obstacle> tight_places() const
   {
     std::vector<Threshold_obstacle> places;
@@ -152,7 +151,7 @@ public:
     return places;
   }
 
-  /// whether the last call of `choose()` was for the present field
+  /// returns whether the last call of `choose()` was for the current field
   bool are_chosen() const { return bool(m_inner); }
 
   /// \pre `are_chosen()`
@@ -168,28 +167,28 @@ public:
     return *m_outer;
   }
 
-  /// of the boxes where the last `choose()` left undecided whether the shell has a critical point, and of those at the
-  /// end of the domain; infinite before the first one
+  /// returns the total volume of the boxes in which the last `choose()` left critical points undecided, and of the
+  /// boxes at the end of the domain; infinite before the first call
   double undecided_volume() const { return m_undecided_volume; }
 
-  /// leaves nothing chosen
+  /// discards the chosen thresholds
   void reset()
   {
     m_inner.reset();
     m_outer.reset();
   }
 
-  /// forgets all that is kept from field to field
+  /// discards all data that is kept from field to field
   void forget()
   {
     m_examined.reset();
     m_caps.clear();
   }
 
-  /// forgets which parts of the shell were covered, and keeps the caps for another field on finer cells: as they are,
-  /// or where cells were halved, twice as wide: within a thin wall, a field on narrower cells gets farther from zero
-  /// \param before the last ones
-  /// \param cells the finer ones
+  /// discards the cover, and keeps the caps for another field on finer cells. A cap is scaled by the ratio of the old
+  /// to the new cell width: within a thin wall, a field on narrower cells departs farther from zero.
+  /// \param before the previous cells
+  /// \param cells the finer cells
   void forget_field(const Cell_hierarchy_3& before, const Cell_hierarchy_3& cells)
   {
     reset();
@@ -207,10 +206,11 @@ public:
     for(const auto& cap : least) m_caps.push_back(cap.second);
   }
 
-  /// forgets which parts of the shell were covered, and by that frees memory
+  /// discards the cover, which frees memory
   void forget_cover() { m_examined.reset(); }
 
-  /// is to be called when the field is another one on the same cells, with those where it is
+  /// discards outdated parts of the cover after a change of the field on the same cells; `changed` marks the cells
+  /// where it differs
   void field_has_changed(const std::vector<char>& changed)
   {
     reset();
@@ -219,8 +219,8 @@ public:
       if(c != Field::npos && changed[c]) c = Field::npos;
   }
 
-  /// is to be called when the field is another one on finer cells, with the number that each cell has there, or
-  /// `Field::npos` where it is split, or the field is another one
+  /// discards outdated data after a change to finer cells; `now` is the new number of each cell, or `Field::npos` if
+  /// the cell is split or the field has changed in it
   void cells_were_refined(const std::vector<Cell_index>& now)
   {
     reset();
@@ -240,8 +240,8 @@ private:
   typedef typename Shell_thresholds_3<Field>::Cap Cap;
   typedef std::pair<Cell_index, int> Cell_and_side;
 
-  // The last cover and its thresholds; which of the present cells each of its cells is, or npos where the field has
-  // changed since then: most stay as they are.
+  // The last cover and its thresholds. `now` is the current number of each of its cells, or npos where the field has
+  // changed since then.
   struct Examined
   {
     Threshold inner, outer;
@@ -249,7 +249,7 @@ private:
     std::vector<Cell_index> now;
   };
 
-  // how near to the mesh's level a box comes that is in the way, and whether it is one of too few
+  // The obstructing box whose values are closest to zero, and whether the cover is too coarse there.
   struct Nearest
   {
     double size;
@@ -280,7 +280,7 @@ private:
     return cover;
   }
 
-  // In each cell and on either side. Boxes where that may be zero are obstacles.
+  // Returns the closest obstruction in each cell and on either side. Boxes where the field may be zero are obstacles.
   std::map<Cell_and_side, Nearest> nearest_in_the_way(const Cover& cover, std::vector<Threshold_obstacle>& obstacles)
   {
     std::map<Cell_and_side, Nearest> nearest;
@@ -303,8 +303,8 @@ private:
       for(const Cover_box& box : cover.boxes())
         if(box.component != Cover_box::no_component && box.kind == Box_kind::UNDECIDED) {
           internal::Run::poll();
-          // Where only the threshold is too steep, there may be none: then these must not be on the other side of zero
-          // than the field.
+          // If only the threshold is too steep, there may be no critical point, and the critical values may lie on the
+          // other side of zero. Then the range of the field is used.
           const Level_range values = cover.critical_values(box), field = cover.function(box).range();
           const bool is_beyond_zero = (field.min > 0 && values.max < 0) || (field.max < 0 && values.min > 0);
           note(box, is_beyond_zero ? field : values);
@@ -313,8 +313,8 @@ private:
     return nearest;
   }
 
-  // Caps thresholds halfway between what is in the way and what the mesh needs, if these are apart; returns such
-  // places. Where the cap is there already, and the cover coarse, the place is unresolved.
+  // Caps each threshold halfway between the obstruction and the value that the mesh requires, if there is room. Returns
+  // these places. If a cap would not narrow the threshold and the cover is coarse, the place is unresolved.
   std::vector<Threshold_obstacle> narrow(const std::map<Cell_and_side, Nearest>& nearest,
                                          std::vector<Threshold_obstacle>& obstacles,
                                          std::vector<Threshold_obstacle>& unresolved)
@@ -346,8 +346,8 @@ private:
   const Field* m_field = nullptr;
   std::optional<Shell_thresholds_3<Field> > m_wanted;
   bool m_is_constant = false;
-  std::vector<Cap> m_caps;                     // of the last thresholds
-  std::unique_ptr<Threshold> m_inner, m_outer; // at fixed places, as certificates refer to them
+  std::vector<Cap> m_caps;                     // caps of the last thresholds
+  std::unique_ptr<Threshold> m_inner, m_outer; // at fixed addresses, since certificates refer to them
   std::optional<Examined> m_examined;
   std::map<Cell_and_side, Threshold_obstacle> m_tight;
   double m_undecided_volume = std::numeric_limits<double>::infinity();

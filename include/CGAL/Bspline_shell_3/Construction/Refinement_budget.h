@@ -21,13 +21,12 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the rounds of a refinement with the time that they took, for reports; and whether the limits allow another
- * round.
+ * \brief records the rounds of a refinement with their times, and checks whether the limits allow another round.
  */
 class Refinement_budget
 {
 public:
-  /// of a round, in the order of `Refinement_round::seconds`
+  /// steps of a round, in the order of `Refinement_round::seconds`
   enum Step
   {
     CELLS,
@@ -42,8 +41,8 @@ public:
   explicit Refinement_budget(const Refinement_parameters& parameters) : m_parameters(parameters) {}
 
   const std::vector<Refinement_round>& rounds() const { return m_rounds; }
-  Refinement_round& round() { return m_rounds.back(); } ///< the present one
-  /// what time has passed since the last step belongs to none
+  Refinement_round& round() { return m_rounds.back(); } ///< the current round
+  /// begins a round; the time since the end of the last step is not counted
   Refinement_round& begin_round()
   {
     m_step.reset();
@@ -54,16 +53,16 @@ public:
   /// adds to the number of fitted cells, for the limit of effort
   void add_fitted_cells(std::size_t cells) { m_fitted_cells += cells; }
 
-  /// time runs from now on
+  /// starts the timer
   void start() { m_step.start(); }
-  /// a step of the present round has ended, and the next one begins
+  /// ends a step of the current round, and begins the next step
   void end_step(Step step)
   {
     m_rounds.back().seconds[step] += m_step.time();
     m_step.reset();
   }
 
-  /// whether the last round was partial in vain
+  /// returns whether the last round was partial and made no progress
   bool was_part_in_vain() const
   {
     const std::size_t n = m_rounds.size();
@@ -74,9 +73,9 @@ public:
     return now.undecided_cells + now.thick_cells >= before.undecided_cells + before.thick_cells;
   }
 
-  /// Returns the limit that a round with so many cells would exceed, if there is one.
-  /// \param points at which the field of that round has coefficients, on all levels
-  /// \param most_points that the numbering of equations can take
+  /// returns the limit that a round with this number of cells would exceed, if there is one.
+  /// \param points number of points on all levels at which the field of that round has coefficients
+  /// \param most_points largest number of points that the numbering of equations allows
   Refinement_limit limit_of_round(std::size_t cells, double points, double most_points) const
   {
     Refinement_limit limit = { Refinement_resource::NONE, cells, 1600. * double(cells) + 4000. * points };
@@ -90,7 +89,7 @@ public:
 private:
   Refinement_parameters m_parameters;
   std::vector<Refinement_round> m_rounds;
-  std::size_t m_fitted_cells = 0; // in all rounds together
+  std::size_t m_fitted_cells = 0; // total of all rounds
   Real_timer m_step;
 };
 

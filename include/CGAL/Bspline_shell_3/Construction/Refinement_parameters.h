@@ -18,21 +18,21 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief what refinement aims at, and how far it may go.
+ * \brief the goals and limits of a refinement.
  */
 struct Refinement_parameters
 {
   Energy_weights weights;
   Refinement_tuning tuning;
-  /// a facet's slope is to be this part of the best that is possible at its vertices (`vertex_cone_margin()`)
+  /// slope required on a facet, as a fraction of the best possible slope at its vertices (`vertex_cone_margin()`)
   double slope_fraction = 0.2;
-  /// the tightest levels instead of thresholds that vary; the thickness asked for bounds their difference
+  /// whether thresholds are constant and as tight as possible; the requested thickness bounds their difference
   bool constant_thresholds = false;
   std::size_t max_rounds = 24;
-  /// The limit of effort: the number of cells that are fitted in all rounds together. So many take about a minute on
+  /// Limit of effort: the number of cells that are fitted in all rounds together. The default takes about a minute on
   /// two cores, proofs included.
   double max_cells = 1.5e6;
-  double max_bytes = std::numeric_limits<double>::infinity(); ///< about
+  double max_bytes = std::numeric_limits<double>::infinity(); ///< approximate limit
 
   Refinement_parameters()
   {

@@ -42,7 +42,7 @@ struct Refinement_tuning
   /// `few_thick_cells` or fewer, for which a round would take longer.
   double thick_cells_left = 0.5;
   std::size_t few_thick_cells = 2;
-  /// Factor on the slope asked for around cells whose conditions contradict each other, as along sharp fins.
+  /// Factor on the required slope around cells whose conditions contradict each other, as along sharp fins.
   double relaxed_slope = 0.5;
   /// @}
 
@@ -86,7 +86,7 @@ struct Refinement_tuning
   double most_at_obstacles = 0.7;
   /// Fraction of half the thickness below which |f| on the mesh is ignored, as in the middle of walls.
   double considerable = 1e-3;
-  /// Weight of the surface term of the energy near obstacles, relative to elsewhere.
+  /// Factor on the weight of the surface term of the energy near obstacles.
   double weight_near_obstacles = 20;
   /// Largest number of halvings of a cell in one round.
   int max_halvings = 2;

@@ -12,15 +12,15 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Construction
-/// \brief tuned numbers of the cells with which the refinement begins (`choose_resolution()`). A *resolution* is a
-/// number of cells per longest side of the mesh's box. They affect time and the number of cells only.
+/// \brief tuned numbers of `choose_resolution()`. They affect time and the number of cells only. A *resolution* is a
+/// number of root cells per longest side of the mesh's bounding box.
 struct Resolution_tuning
 {
-  /// Resolutions that are tried, from the coarsest on; the finest is taken without asking.
+  /// Resolutions to try, coarsest first. The finest one is used if the others are rejected.
   double coarsest = 20, middle = 24, finest = 30;
-  /// Largest width of a cell, in thicknesses: wider cells do not follow the mesh closely enough anywhere.
+  /// Largest width of a cell, in thicknesses. A field on wider cells does not follow the mesh closely enough anywhere.
   double widest_cell = 5.5;
-  /// Length of the mean normal in a cell below which the mesh is bent, or folded, there.
+  /// The mesh is bent, or folded, in a cell if its mean normal there is shorter than this.
   double bent = 0.9, folded = 0.7;
   /// Largest fraction of the surface cells that may be bent, or folded.
   double bent_cells = 1. / 8, folded_cells = 1. / 64;

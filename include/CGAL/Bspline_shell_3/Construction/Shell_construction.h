@@ -31,14 +31,14 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief what the construction of every shell begins with: the checked mesh and a lattice of cells; and its report,
- * with the time of each step.
+ * \brief the part that all constructions of shells share: the checked mesh, the lattice of cells, and a report with the
+ * time of each step.
  */
 class Shell_construction
 {
 public:
   /// \tparam Visitor a model of `ShellVisitor`
-  /// \param max_seconds from now on, after which `run()` ends
+  /// \param max_seconds time limit of `run()`, measured from now on
   /// \pre `visitor` outlives this object
   template <typename Visitor>
   Shell_construction(Visitor& visitor, double max_seconds)
@@ -48,14 +48,14 @@ public:
     m_timer.start();
   }
 
-  /// returns `build()`, a shell; or no shell and the reason, if the time limit is reached or the visitor cancels before
+  /// returns `build()`, or an object without a shell if the time limit is reached or the visitor cancels
   template <typename Shell, typename Build>
   Shell run(const Build& build)
   {
     return m_run(build, [this](internal::Run::End ended) { return Shell(end(internal::status(ended))); });
   }
 
-  /// ends the last step and begins the next; ends `run()` if the visitor wants to stop
+  /// ends the last step and begins the next one; ends `run()` if the visitor cancels
   void start(Shell_step step)
   {
     internal::Run::poll();
@@ -73,7 +73,7 @@ public:
     return m_report;
   }
 
-  /// ends the construction because of a parameter
+  /// ends the construction because of an invalid parameter
   /// \return the report, with `Shell_status::INVALID_PARAMETER`
   Shell_report refuse(const Invalid_parameter& parameter)
   {
@@ -81,10 +81,10 @@ public:
     return end(Shell_status::INVALID_PARAMETER);
   }
 
-  /// tests the arithmetic, and copies and checks the mesh.
+  /// tests the arithmetic, copies the mesh and checks it.
   /// \param np `vertex_point_map`, `allow_self_intersections` and `allow_singular_vertices` as for `bspline_shell_3()`
-  /// \param closer of open meshes, which are refused without it
-  /// \param truncator of vertices whose facets face no common direction
+  /// \param closer closes open meshes, which are rejected without it
+  /// \param truncator truncates vertices whose facets face no common direction
   template <typename ConcurrencyTag, typename PolygonMesh, typename NP>
   Shell_status check(const PolygonMesh& mesh, const NP& np, const Input_mesh_3::Closer& closer = Input_mesh_3::Closer(),
                      const Input_mesh_3::Truncator& truncator = Input_mesh_3::Truncator())
@@ -110,7 +110,7 @@ public:
     return status;
   }
 
-  /// the lattice of cells, or of root cells, or nothing if there are too many
+  /// returns the lattice of cells, or of root cells; nothing if it would have too many cells
   /// \pre the mesh is checked
   std::optional<Lattice_3> choose_lattice(double spacing)
   {
@@ -121,7 +121,7 @@ public:
   }
 
   Shell_report& report() { return m_report; }
-  /// the checked mesh
+  /// returns the checked mesh
   const std::shared_ptr<const Input_mesh_3>& input() const { return m_input; }
 
 private:

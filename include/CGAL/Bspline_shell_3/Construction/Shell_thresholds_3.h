@@ -27,12 +27,12 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief thresholds of a shell that vary in space: as wide as asked for, narrower where that is needed, never narrower
- * than the mesh needs.
+ * \brief thresholds of a shell that vary in space: as wide as requested, narrower where required, but never narrower
+ * than the mesh allows.
  *
- * A threshold is a spline on the cells of the field. Where all coefficients that act on a cell lie beyond the values
- * that the field takes on the mesh in that cell, so does the threshold; that is what the mesh needs of a coefficient.
- * Caps keep the threshold below a value in a cell, and let it rise from there with a bounded slope.
+ * A threshold is a spline on the cells of the field. If all coefficients that act on a cell lie beyond the values of
+ * the field on the mesh in that cell, so does the threshold. This bound on a coefficient is what the mesh *requires*. A
+ * cap keeps the threshold below a value in a cell; from there, the threshold rises with a bounded slope.
  *
  * \tparam Field `Hierarchical_bspline_field_3`
  */
@@ -41,9 +41,9 @@ class Shell_thresholds_3
 {
   typedef typename Field::Cell_index Index;
 public:
-  /// \param field the field; its values are not looked at
-  /// \param thickness asked for, half of it on either side: a function of points, user units
-  /// \param slope of a threshold beyond a cap, less than that of the field, which is about one
+  /// \param field the field; its values are not used
+  /// \param thickness the requested thickness, half of it on either side: a function of points, user units
+  /// \param slope slope of a threshold beyond a cap; less than the slope of the field, which is about one
   /// \pre `field` outlives this object
   template <typename Thickness>
   Shell_thresholds_3(const Field& field, const Thickness& thickness, double slope = 0.2)
@@ -62,7 +62,8 @@ public:
     for(Eigen::VectorXd& needed : m_needed) needed.setConstant(size, -std::numeric_limits<double>::infinity());
   }
 
-  /// \param mesh_ranges encloses the field on the part of the mesh in each cell (`Facet_ranges::cell`)
+  /// sets the values that the mesh requires
+  /// \param mesh_ranges enclosures of the field on the part of the mesh in each cell (`Facet_ranges::cell`)
   void set_mesh_ranges(const std::vector<Level_range>& mesh_ranges)
   {
     constexpr double none = -std::numeric_limits<double>::infinity();
@@ -77,7 +78,7 @@ public:
       for(Index row : m_field->coefficient_rows(c))
         for(Index n = row; n < row + 4; ++n) include(at_points[n], { -range.min, range.max });
     }
-    // and of those that others depend on
+    // Points without a coefficient pass their requirements on to the coefficients that they depend on.
     std::vector<Pair> needed(m_field->number_of_coefficients(), Pair{ none, none });
     for(int level = 0; level < m_field->number_of_levels(); ++level)
       for(Index n = 0; n < m_field->points(level).size(); ++n) {
@@ -92,7 +93,7 @@ public:
       for(int side = 0; side < 2; ++side) m_needed[side][Eigen::Index(u)] = needed[u][side];
   }
 
-  /// the same two levels everywhere
+  /// sets both thresholds to constant levels
   void set_constant(const Level_range& levels)
   {
     for(int side = 0; side < 2; ++side) {
@@ -101,7 +102,8 @@ public:
     }
   }
 
-  /// what the mesh needs of a threshold in a cell: the outer one has to be as large, the inner one as small as that
+  /// returns the value that the mesh requires in a cell: a lower bound of the outer threshold, or an upper bound of the
+  /// inner one
   double needed(Index cell, Sign side) const
   {
     double most = -std::numeric_limits<double>::infinity();
@@ -110,21 +112,21 @@ public:
     return side == POSITIVE ? most : -most;
   }
 
-  /// a threshold that is kept near a cell
+  /// a bound on a threshold near a cell
   struct Cap
   {
     Index cell;
     Sign side;
-    Bbox_3 core; ///< holds the centers of all functions that act on the cell
-    double size; ///< of the threshold there
+    Bbox_3 core; ///< box of the centers of all functions that act on the cell
+    double size; ///< bound on the size of the threshold there
   };
 
-  /// keeps the outer threshold at or below `level` in a cell, or the inner one at or above it, as far as the mesh
-  /// allows
+  /// bounds the outer threshold in a cell from above by `level`, or the inner one from below, within the limits that
+  /// the mesh imposes
   void cap(Index cell, Sign side, double level)
   {
-    // Distances are those of the functions' centers, whatever their size, from a box that holds the centers of all that
-    // act on the cell.
+    // Distances are measured from the centers of functions, whatever their supports, to the box of the centers of all
+    // functions that act on the cell.
     Bbox_3 core = m_field->cell(cell).bbox();
     m_field->visit_coefficients(cell, [&](int, Index u, double) {
       const Bbox_3 s = m_field->support(u);
@@ -134,7 +136,7 @@ public:
     cap(Cap{ cell, side, core, side == POSITIVE ? level : -level });
   }
 
-  /// the same by a cap of thresholds on other cells; linear in the number of functions near it
+  /// adds a cap, for example of thresholds on other cells; linear in the number of functions near it
   void cap(const Cap& cap)
   {
     const double reach = (m_highest - cap.size) / m_slope;
@@ -156,10 +158,10 @@ public:
     m_caps.push_back(cap);
   }
 
-  /// all caps so far
+  /// returns all caps so far
   const std::vector<Cap>& caps() const { return m_caps; }
 
-  /// the inner (`NEGATIVE`) or the outer threshold (`POSITIVE`)
+  /// returns the inner (`NEGATIVE`) or the outer (`POSITIVE`) threshold
   template <typename ConcurrencyTag>
   Field threshold(Sign side) const
   {
@@ -174,7 +176,7 @@ private:
   const Field* m_field;
   double m_slope, m_highest = 0;
   std::vector<Cap> m_caps;
-  // by coefficient, of the outer threshold and of minus the inner one
+  // by coefficient: first of the negated inner threshold, then of the outer threshold
   std::array<Eigen::VectorXd, 2> m_needed, m_cap;
 };
 

@@ -25,18 +25,18 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief a place that no threshold can leave out.
+ * \brief a place that no threshold can exclude from the shell.
  */
 struct Threshold_obstacle
 {
   std::uint32_t cell;
   std::array<double, 3> point; ///< user units
-  Sign side = ZERO;            ///< of the threshold; `ZERO` if the field may be zero at the place
-  double size = 0;             ///< what the threshold's size would have to be less than
+  Sign side = ZERO;            ///< side of the threshold; `ZERO` if the field may be zero at the place
+  double size = 0;             ///< upper bound on the threshold's magnitude
 };
 
 /// \ingroup PkgBsplineShell3Construction
-/// \return the cells of obstacles, ascending
+/// returns the cells of obstacles, ascending
 inline std::vector<std::uint32_t> cells_of(const std::vector<Threshold_obstacle>& obstacles)
 {
   std::vector<std::uint32_t> cells;
@@ -48,20 +48,19 @@ inline std::vector<std::uint32_t> cells_of(const std::vector<Threshold_obstacle>
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the cells where the field is so large on the mesh that thresholds cannot pass obstacles: thresholds are
- * splines on the same cells, and so all cells count that the functions reach which act on an obstacle's cell. The
- * latter itself, if there are none.
+ * \brief returns the cells where the field is so large on the mesh that thresholds cannot pass obstacles.
  *
- * In the middle of a thin wall the field is near zero. What keeps the threshold from being nearer is not there, but at
- * the rim, some cells away.
+ * Thresholds are splines on the same cells. All cells in the supports of the functions that act on an obstacle's cell
+ * are therefore examined. If none of them qualifies, the obstacle's cell itself is returned. In the middle of a thin
+ * wall the field is near zero; the cells that keep the threshold away are at the rim, some cells away.
  *
  * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
  * \tparam Field `Hierarchical_bspline_field_3`
- * \param field gives the cells
- * \param ranges enclose the field on the part of the mesh in each cell
+ * \param field the field whose cells are examined
+ * \param ranges enclosures of the field on the part of the mesh in each cell
  * \param obstacles the obstacles
- * \param part of an obstacle's size that the field may be on the mesh
- * \return ascending
+ * \param part largest allowed size of the field on the mesh, as a fraction of an obstacle's size
+ * \return the cells, ascending
  */
 template <typename ConcurrencyTag, typename Field>
 std::vector<std::uint32_t> culprits_of(const Field& field, const std::vector<Level_range>& ranges,
@@ -74,7 +73,7 @@ std::vector<std::uint32_t> culprits_of(const Field& field, const std::vector<Lev
       const Threshold_obstacle& o = obstacles[n];
       const std::size_t before = found.size();
       if(o.side != ZERO) {
-        // only cells inside of the box of all supports, not those that touch it
+        // Shrink the box of all supports to skip cells that only touch it.
         Bbox_3 b = field.cell(o.cell).bbox();
         field.visit_coefficients(o.cell, [&](int, Index u, double) { b += field.support(u); });
         const double inside = field.cells().width(o.cell) / 64;

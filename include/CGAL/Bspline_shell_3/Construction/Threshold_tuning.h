@@ -16,21 +16,20 @@ namespace Bspline_shells {
 /// thickness of shells only.
 struct Threshold_tuning
 {
-  /// Number of passes where there are many obstacles: cells are refined there in any case.
+  /// Number of passes if there are many obstacles: the cells there are refined in any case.
   int max_passes_of_many = 2;
-  /// A cap is worth its while if it is less than this fraction of the room that there is.
+  /// A cap is useful if it is less than this fraction of the available room.
   double useful_cap = 0.98;
-  /// Fraction of the room that the mesh may take before a place counts as tight.
+  /// A place is tight if the mesh requires more than this fraction of the room.
   double tight = 0.7;
-  /// Number of halvings of a cell up to which boxes are coarse: the cover ran out of them.
+  /// Boxes with at most this number of halvings of a cell are coarse: the cover ran out of boxes.
   int coarse_depth = 3;
-  /// Ranges on the mesh: number of halvings of the edges of a piece at which values are taken (a third would take 30
-  /// values), and of the parts of a piece for which bounds are computed; each leaves a quarter of the excess of a
-  /// bound.
+  /// Ranges on the mesh: largest number of halvings of the edges of a piece for values on grids (a third halving would
+  /// take 30 values), and for bounds on parts of a piece. Each halving reduces the excess of a bound to a quarter.
   int max_grid_halvings = 2, max_range_depth = 5;
-  /// Fraction of the largest value at which a value will do.
+  /// A point may stand for the worst one if its value is at least this fraction of the largest possible value.
   double nearly_largest = 0.95;
-  /// Excess of a bound that is not improved, relative to the size that matters.
+  /// Excess of a bound, relative to the allowed size, below which the bound is not improved.
   double range_excess = 0.004;
 };
 

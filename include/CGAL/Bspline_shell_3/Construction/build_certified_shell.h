@@ -22,7 +22,8 @@
 namespace CGAL {
 
 /// \ingroup PkgBsplineShell3Ref
-/// the shell that `certified_bspline_shell_3()` builds: a hierarchy of cells, and thresholds that vary in space
+/// the type of shell that `certified_bspline_shell_3()` builds: with a hierarchy of cells and thresholds that vary in
+/// space
 typedef Bspline_shell_3<Bspline_shells::Hierarchical_bspline_field_3<>,
                         Bspline_shells::Spline_threshold<Bspline_shells::Hierarchical_bspline_field_3<> > >
   Certified_bspline_shell_3;
@@ -32,34 +33,36 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief what `certified_bspline_shell_3()` is asked for.
+ * \brief the parameters of `certified_bspline_shell_3()`.
  */
 struct Certified_shell_parameters
 {
-  /// root cells per longest side of the mesh's box; `choose_resolution()` if there is none
+  /// root cells per longest side of the mesh's bounding box; if not set, `choose_resolution()`, or the finest with
+  /// `sizing`
   std::optional<double> resolution;
-  double relative_thickness = 0.01; ///< of the longest side of the mesh's box
-  double least_cone_margin = 0.01;  ///< of vertices that are not truncated
-  std::optional<double> thickness;  ///< instead, in user units
-  /// instead, near a point; user units
+  double relative_thickness = 0.01; ///< fraction of the longest side of the mesh's bounding box
+  double least_cone_margin = 0.01;  ///< vertices with a smaller margin are truncated
+  std::optional<double> thickness;  ///< used instead of `relative_thickness`, user units
+  /// the thickness near a point, used instead of `relative_thickness`, user units
   std::function<double(const Certified_bspline_shell_3::Point_3&)> sizing;
   Refinement_parameters refinement;
 
   double largest_thickness(double unit) const { return thickness ? *thickness : relative_thickness * unit; }
-  /// how far back sheets of open meshes are behind these: far enough for a shell of full thickness, without small cells
-  /// in between
+  /// returns the distance of back sheets from open meshes: large enough for a shell of full thickness without small
+  /// cells in between
   double closing_offset(double unit) const
   {
     constexpr double thicknesses = 3;
     return thicknesses * largest_thickness(unit);
   }
-  /// how far from a vertex a mesh is truncated at most: far less than images may be from their points
+  /// returns the largest radius of a truncation around a vertex: much less than the possible distance of images from
+  /// points
   static double largest_tip(double thickness)
   {
     constexpr double part = 1. / 8;
     return part * thickness;
   }
-  /// the first parameter whose value is not allowed, if there is one
+  /// returns the first invalid parameter, if there is one
   Invalid_parameter invalid() const
   {
     Invalid_parameter found;
@@ -79,9 +82,9 @@ struct Certified_shell_parameters
  *
  * \brief builds a certified shell of a checked mesh, as `certified_bspline_shell_3()` describes it.
  *
- * \param construction has checked the mesh
- * \param parameters what is asked for
- * \param oracle the signed distance that the field is fitted to, or nothing: that to the mesh
+ * \param construction the construction, which has checked the mesh
+ * \param parameters the parameters
+ * \param oracle the signed distance that the field is fitted to; if not set, the distance to the mesh
  * \param solver any model of `SPDSolver`
  * \pre the parameters are valid
  */
@@ -94,7 +97,7 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the same by the default solver.
+ * \brief builds a certified shell with the default solver.
  */
 template <typename ConcurrencyTag>
 Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction,

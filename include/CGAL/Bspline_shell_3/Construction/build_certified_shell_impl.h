@@ -55,17 +55,17 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
                                                   : choose_resolution<ConcurrencyTag>(*input, largest_thickness);
   const std::optional<Lattice_3> lattice = construction.choose_lattice(input->unit() / resolution);
   if(!lattice) return stop(Status::GRID_TOO_FINE);
-  std::atomic<bool> is_thickness_valid(true); // several threads ask for it
+  std::atomic<bool> is_thickness_valid(true); // read and written by several threads
   double invalid_thickness = 0;               // written by one of them
   const Refinement_problem::Thickness thickness = [&](const Shell::Point_3& p) -> double {
     if(!parameters.sizing) return largest_thickness;
     const double t = parameters.sizing(p);
     if(t > 0 && std::isfinite(t)) return t;
     if(is_thickness_valid.exchange(false)) invalid_thickness = t;
-    return largest_thickness; // it has no effect
+    return largest_thickness; // without effect: the construction fails
   };
-  // Room for the shell, and a little more, as it is thicker at edges. A field that is fitted to another distance may be
-  // anything between the thresholds on the mesh, and a sizing field asks for thicknesses that are not known yet.
+  // Room for the shell and a margin, as the shell is thicker at edges. A field that is fitted to another distance may
+  // take any value between the thresholds on the mesh. The thicknesses of a sizing field are not known yet.
   constexpr double thickest = 20, more = 0.3; // cells
   const double spacing = lattice->spacing();
   if(!parameters.sizing) {
@@ -141,7 +141,7 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
                                                 const Certified_shell_parameters& parameters,
                                                 const std::optional<Any_signed_distance_3>& oracle)
 {
-  // the certificate makes the accuracy of the solver a matter of speed
+  // The accuracy of the solver only affects speed, because the certificate examines the actual field.
   constexpr double tolerance = 1e-4;
   Conjugate_gradient_solver<ConcurrencyTag> solver(tolerance);
   return build_certified_shell<ConcurrencyTag>(construction, parameters, oracle, Any_spd_solver(solver, false));

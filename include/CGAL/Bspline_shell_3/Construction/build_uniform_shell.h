@@ -23,19 +23,19 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief what `bspline_shell_3()` is asked for.
+ * \brief the parameters of `bspline_shell_3()`.
  */
 struct Uniform_shell_parameters
 {
-  double resolution = 50;        ///< cells per longest side of the mesh's box
-  std::optional<double> spacing; ///< instead, the edge length of a cell in user units
-  std::optional<int> rings;      ///< of cells around those that the mesh enters; by default as many as needed
-  bool dense = false;            ///< all cells of the mesh's box, and rings around it
+  double resolution = 50;        ///< cells per longest side of the mesh's bounding box
+  std::optional<double> spacing; ///< edge length of a cell in user units, used instead of `resolution`
+  std::optional<int> rings; ///< rings of cells around the cells that the mesh intersects; if not set, as many as needed
+  bool dense = false;       ///< whether all cells of the mesh's bounding box and rings around it are used
   Energy_weights weights;
-  double max_bytes = std::numeric_limits<double>::infinity(); ///< about
+  double max_bytes = std::numeric_limits<double>::infinity(); ///< approximate limit
   bool allow_open_shell = false;
 
-  /// the first parameter whose value is not allowed, if there is one
+  /// returns the first invalid parameter, if there is one
   Invalid_parameter invalid() const
   {
     Invalid_parameter found;
@@ -53,9 +53,9 @@ struct Uniform_shell_parameters
  *
  * \brief builds a shell of a checked mesh on equal cells, as `bspline_shell_3()` describes it.
  *
- * \param construction has checked the mesh
- * \param parameters what is asked for
- * \param oracle the signed distance that the field is fitted to, or nothing: that to the mesh
+ * \param construction the construction, which has checked the mesh
+ * \param parameters the parameters
+ * \param oracle the signed distance that the field is fitted to; if not set, the distance to the mesh
  * \param solver any model of `SPDSolver`
  * \pre the parameters are valid
  */
@@ -66,7 +66,7 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the same by the default solver.
+ * \brief builds a shell with the default solver.
  */
 template <typename ConcurrencyTag>
 Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Uniform_shell_parameters& parameters,

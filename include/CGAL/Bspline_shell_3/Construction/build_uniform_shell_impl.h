@@ -45,7 +45,7 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// cells of the whole box of the mesh, and `rings` more on each side
+// Returns the cells of the mesh's bounding box and `rings` more on each side.
 inline std::vector<std::uint64_t> box_cells(const Lattice_3& lattice, const Bbox_3& box, int rings)
 {
   Lattice_3::Point first, last;
@@ -60,7 +60,7 @@ inline std::vector<std::uint64_t> box_cells(const Lattice_3& lattice, const Bbox
   return keys;
 }
 
-// adds rings of cells around some cells of the field
+// Adds rings of cells around some cells of the field.
 template <typename Field>
 void widen(const Field& field, const std::vector<typename Field::Cell_index>& cells, int rings,
            std::vector<std::uint64_t>& keys)
@@ -86,7 +86,7 @@ inline Cell_complex_3 cells_beyond(const Cell_complex_3& cells, const Cell_compl
   return Cell_complex_3(cells.lattice(), keys);
 }
 
-// the samples of cells, each from the one of two complexes that has the cell
+// Returns the samples of cells, each copied from the complex that contains the cell.
 inline std::vector<double> merge_samples(const Cell_complex_3& cells, const Cell_complex_3& first,
                                          const std::vector<double>& first_samples, const Cell_complex_3& second,
                                          const std::vector<double>& second_samples)
@@ -102,7 +102,7 @@ inline std::vector<double> merge_samples(const Cell_complex_3& cells, const Cell
   return samples;
 }
 
-// the coefficients, in cell units, of a field on fewer cells, where it has them
+// Copies the coefficients of a field on fewer cells, in cell units.
 template <typename Field>
 void take_over_coefficients(const Field& from, const Field& to, Eigen::VectorXd& guess)
 {
@@ -113,9 +113,10 @@ void take_over_coefficients(const Field& from, const Field& to, Eigen::VectorXd&
   }
 }
 
-// About how many bytes a shell takes at the peak, which is in the solver: per cell the samples, Bernstein coefficients
-// and lookups, per unknown a column of the matrix with up to 172 entries of 12 bytes (twice while a term is added to a
-// copy), its share of the preconditioner's blocks and the solver's vectors; per piece its points and quadrature points.
+// Returns the approximate peak memory of a shell in bytes, which is reached in the solver. Per cell: the samples,
+// Bernstein coefficients and lookups. Per unknown: a column of the matrix with up to 172 entries of 12 bytes (twice
+// while a term is added to a copy), its share of the preconditioner's blocks, and the solver's vectors. Per piece: its
+// points and quadrature points.
 inline double estimated_bytes(double cells, double unknowns, double pieces, bool copies_matrix)
 {
   return cells * 680 + unknowns * (copies_matrix ? 6200 : 3900) + pieces * 500;
@@ -155,7 +156,7 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
   const std::vector<std::uint64_t> surface_keys = cells_entered_by_mesh<ConcurrencyTag>(input, lattice);
   report.surface_cells = surface_keys.size();
 
-  // Before the cells are listed: how many there are at least, each with its unknown.
+  // Check lower bounds on the numbers of cells and unknowns before the cells are listed.
   const Bbox_3 box = input.bbox();
   double at_least = parameters.dense ? 1 : (std::max)(double(surface_keys.size()), std::pow(2. * rings + 1, 3));
   for(int a = 0; parameters.dense && a < 3; ++a)
@@ -166,7 +167,7 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
                                                      : dilate(surface_keys, -rings, rings);
 
   std::optional<Mesh_signed_distance_3> mesh_distance;
-  constexpr int max_widenings = 5; // by 2 to 6 rings: twenty cells in all
+  constexpr int max_widenings = 5; // by 2, 3, ..., 6 rings: 20 cells in total
   std::optional<Field> narrower;   // the field before the last widening
   std::vector<double> samples;
   for(;; ++report.widenings) {
@@ -178,7 +179,7 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
     const Clipped_mesh_3 clipped = clip_mesh_to_cells<ConcurrencyTag>(input, field.cells());
 
     construction.start(Shell_step::DISTANCE);
-    // after a widening, only where there was no cell before
+    // After a widening, only new cells are sampled.
     const Cell_complex_3 unsampled = narrower ? internal::cells_beyond(field.cells(), narrower->cells())
                                               : field.cells();
     if(!oracle && !mesh_distance) mesh_distance.emplace(input);

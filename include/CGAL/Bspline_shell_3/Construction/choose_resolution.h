@@ -24,24 +24,24 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief shares of the cells at a mesh, by its mean normal in a cell, weighted by area.
+ * \brief fractions of the surface cells in which a mesh is bent or folded, by the area-weighted mean normal in a cell.
  */
 struct Bend_shares
 {
-  double bent = 0; ///< where it is shorter than 0.9: at edges of 50 degrees and more
-  /// where it is shorter than 0.7: at sharper edges, tips, and where walls are thinner than cells
+  double bent = 0; ///< cells with a mean normal shorter than 0.9: edges of 50 degrees and more
+  /// cells with a mean normal shorter than 0.7: sharper edges, tips, and walls that are thinner than cells
   double folded = 0;
 };
 
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief how many cells see a mesh that is far from flat.
+ * \brief returns the fractions of the surface cells in which a mesh is far from flat.
  *
  * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
  * \param mesh the mesh
- * \param lattice of the cells
- * \cgalHeading{Cost} linear in the number of parts into which the cells cut the mesh
+ * \param lattice the lattice of the cells
+ * \cgalHeading{Cost} Linear in the number of pieces into which the cells cut the mesh.
  */
 template <typename ConcurrencyTag>
 Bend_shares bend_shares(const Input_mesh_3& mesh, const Lattice_3& lattice)
@@ -73,16 +73,16 @@ Bend_shares bend_shares(const Input_mesh_3& mesh, const Lattice_3& lattice)
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the number of root cells per longest side of a mesh's box that refinement should begin with: 30, or fewer if
- * most of the mesh is nearly flat in wider cells.
+ * \brief returns the number of root cells per longest side of a mesh's bounding box with which refinement should begin:
+ * 30, or fewer if most of the mesh is nearly flat in wider cells.
  *
- * A field on cells five times as wide as the shell is thick follows a mesh closely enough but at bends; these are
- * mended by small changes if they are few (`Certified_refinement`). Otherwise cells would have to be halved, with those
- * around them, and a few more of equal size are cheaper.
+ * If cells are five times as wide as the shell is thick, a field follows a mesh closely enough except at bends. A few
+ * bends are handled by local corrections (`Certified_refinement`). Otherwise, cells would have to be halved together
+ * with their neighbors, and slightly more cells of equal size are cheaper.
  *
  * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
  * \param mesh the mesh
- * \param thickness of the shell, user units
+ * \param thickness thickness of the shell, user units
  */
 template <typename ConcurrencyTag>
 double choose_resolution(const Input_mesh_3& mesh, double thickness)
@@ -93,7 +93,7 @@ double choose_resolution(const Input_mesh_3& mesh, double thickness)
   if(!lattice.is_exact()) return t.finest;
   const Bend_shares shares = bend_shares<ConcurrencyTag>(mesh, lattice);
   if(shares.folded > t.folded_cells) return t.finest;
-  // there are bends along curves, and so their share grows with the width of cells
+  // Bends lie along curves, so their fraction grows with the width of cells.
   if(shares.bent <= t.bent_cells) return t.coarsest;
   return shares.bent * t.coarsest / t.middle <= t.bent_cells ? t.middle : t.finest;
 }

@@ -21,24 +21,24 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief a facet that a field does not certainly cross upwards, and a point where it does not.
+ * \brief a facet that a field is not proved to cross upwards, and a point where the proof fails.
  */
 struct Facet_failure
 {
   std::uint32_t facet;
-  std::uint32_t cell; ///< that the point is in; `npos` of the field outside of its cells
+  std::uint32_t cell; ///< cell that contains the point; `npos` if the point is outside the field's cells
   std::array<double, 3> point;
 };
 
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief those among chosen facets of a mesh that a field does not certainly cross upwards
+ * \brief returns the chosen facets of a mesh that a field is not proved to cross upwards
  * (`Field_predicates_3::crosses_upwards()`).
  *
  * \param field the field
  * \param input the mesh
- * \param chosen for each facet, whether it is asked for
+ * \param chosen for each facet, whether to test it
  */
 template <typename ConcurrencyTag, typename Field>
 std::vector<Facet_failure> failing_facets(const Field& field, const Input_mesh_3& input,

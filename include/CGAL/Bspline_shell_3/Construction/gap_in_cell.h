@@ -24,14 +24,14 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the least gap (`Local_gap_3`) of the part of a mesh in a cell, user units; `most` if it is larger or there is
- * no part.
+ * \brief returns the least gap (`Local_gap_3`) of the part of a mesh in a cell, user units; `most` if the gap is larger
+ * or the cell does not contain a part of the mesh.
  *
- * \param gap of the mesh
- * \param clipped the mesh, cut by cells
+ * \param gap the local gap of the mesh
+ * \param clipped the mesh, clipped to cells
  * \param c a cell
  * \param side of the mesh, as for `Local_gap_3`
- * \param most no larger gap is looked for
+ * \param most larger gaps are not searched
  */
 inline double gap_in_cell(const Local_gap_3& gap, const Clipped_mesh_3& clipped, Cell_hierarchy_3::Index c, Sign side,
                           double most)
@@ -51,7 +51,7 @@ inline double gap_in_cell(const Local_gap_3& gap, const Clipped_mesh_3& clipped,
 }
 
 /// \ingroup PkgBsplineShell3Construction
-/// the same on both sides: the narrowest wall or gap in a cell
+/// returns the least gap on both sides: the narrowest wall or gap in a cell
 inline double gap_in_cell(const Local_gap_3& gap, const Clipped_mesh_3& clipped, Cell_hierarchy_3::Index c, double most)
 {
   return gap_in_cell(gap, clipped, c, POSITIVE, gap_in_cell(gap, clipped, c, NEGATIVE, most));

@@ -31,20 +31,20 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// A cell with pieces of the mesh, and what rounding can do to bounds on them.
+// A cell with pieces of the mesh, and the rounding errors of bounds on these pieces.
 template <typename Field>
 struct Cell_with_pieces
 {
   typename Field::Cell cell;
-  double shift; // bounds how far corners of pieces are off, in the cell
-  double error; // bounds how far a Bernstein coefficient on a piece is from that of f on the facet
+  double shift; // bounds the error of corners of pieces, in local coordinates
+  double error; // bounds the difference between a Bernstein coefficient on a piece and that of f on the facet
 
   Cell_with_pieces(const Field& field, typename Field::Cell_index c) : cell(field.cell(c))
   {
     double reach = 0;
     for(double x : cell.corner()) reach = (std::max)(reach, std::abs(x) + cell.width());
-    // Corners of a piece: six cuts one after the other, each off by at most ten roundings of the coordinates, and the
-    // local coordinates with their bisections.
+    // The corners of a piece result from six successive cuts, each with at most ten roundings of the coordinates. Local
+    // coordinates and their bisections add further roundings.
     shift = rounding * (64 * (reach + cell.width()) / cell.width() + 32);
     error = Form_error(shift)(enclosed_value(cell));
   }
@@ -58,11 +58,11 @@ struct Cell_with_pieces
   }
 };
 
-// Bounds a field on pieces by its values at their corners v and its second derivatives on their cell. By Taylor's
-// formula at x = sum_i l_i v_i for each corner,
-//   f(x) >= min_i f(v_i) - sum_{i<j} l_i l_j q(v_i - v_j) / 2 >= min_i f(v_i) - (n-1) / (4n) max(0, max_{i<j} q(v_i -
-//   v_j))
-// for n corners, where the form q is at least that of all second derivatives; and the same for -f.
+// Bounds a field on pieces by its values at their corners v and its second derivatives on the cell. By Taylor's formula
+// at x = sum_i l_i v_i for each corner,
+//   f(x) >= min_i f(v_i) - sum_{i<j} l_i l_j q(v_i - v_j) / 2
+//        >= min_i f(v_i) - (n-1) / (4n) max(0, max_{i<j} q(v_i - v_j))
+// for n corners, where the quadratic form q is at least that of all second derivatives; likewise for -f.
 class Corner_bounds
 {
 public:
@@ -74,7 +74,7 @@ public:
     m_curvature = 2 * h.size();
   }
 
-  // how far the field may be below the least value at a corner, and above the largest one
+  // Returns how far the field may be below its least value at a corner, and above its largest one.
   std::pair<double, double> excess(const std::vector<std::array<double, 3> >& corners, double shift) const
   {
     double up = 0, down = 0;
@@ -91,8 +91,8 @@ public:
         up = (std::max)(up, q_up);
         down = (std::max)(down, q_down);
       }
-    // Corners are off by the shift, differences by twice that, and both are shorter than two; it is more than what
-    // rounding does to products.
+    // Corners are off by `shift` and their differences by twice as much; both are shorter than two. This exceeds the
+    // rounding errors of the products.
     const double n = double(corners.size()), part = (n - 1) / (4 * n), error = 4 * m_curvature * shift;
     return { (1 + 8 * rounding) * (part * up + error), (1 + 8 * rounding) * (part * down + error) };
   }
@@ -102,11 +102,11 @@ private:
   double m_curvature;
 };
 
-// A part of a triangle, in a cell.
+// A part of a triangle in local coordinates of a cell.
 struct Subtriangle
 {
   std::array<double, 3> p, q, r;
-  int depth; // bisections of its edges
+  int depth; // number of bisections of its edges
 
   void push_quarters(std::vector<Subtriangle>& stack) const
   {
@@ -128,11 +128,11 @@ struct Subtriangle
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the extrema of a field on the edges of the clipped mesh, as the paper computes them (Section 4.2).
+ * \brief returns the extrema of a field on the edges of the clipped mesh, as computed in the paper (Section 4.2).
  *
- * On an edge the field is a polynomial of degree nine; its extrema are found by bisection (`bernstein_range()`).
- * Edges whose Bernstein coefficients lie within what was already found are skipped. The field's extrema on a facet may
- * lie in its interior, so that this is no bound (see `facet_range()`).
+ * On an edge, the field is a polynomial of degree nine, and its extrema are found by bisection (`bernstein_range()`).
+ * Edges whose Bernstein coefficients lie within the range found so far are skipped. The result is not a bound of the
+ * field on facets, since its extrema may lie in their interior (see `facet_ranges()`).
  */
 template <typename ConcurrencyTag, typename Field>
 Level_range edge_range(const Field& field, const Clipped_mesh_3& clipped)
@@ -163,31 +163,31 @@ Level_range edge_range(const Field& field, const Clipped_mesh_3& clipped)
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief bounds of a field on whole facets, and on the mesh.
+ * \brief bounds of a field on facets and on the mesh.
  */
 struct Facet_ranges
 {
-  std::vector<Level_range> facet; ///< encloses the field on each triangle; coarsely
-  /// encloses the field on the part of the mesh in each cell; coarsely, empty without mesh
+  std::vector<Level_range> facet; ///< coarse enclosure of the field on each triangle
+  /// coarse enclosure of the field on the part of the mesh in each cell; empty if there is none
   std::vector<Level_range> cell;
-  Level_range mesh; ///< encloses the field on the mesh, to within the tolerance
+  Level_range mesh; ///< enclosure of the field on the mesh, up to the tolerance
 };
 
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief encloses a field on the facets: by its values at corners and its second derivatives, where these say enough,
- * and by Bernstein coefficients of degree nine on triangles otherwise, with a derived allowance for rounding.
+ * \brief returns enclosures of a field on facets, with a derived allowance for rounding.
  *
- * The enclosure of the mesh is refined by subdivision, where it decides, until it exceeds values that the field takes
- * by at most `tolerance` times their range.
+ * The bounds use values at corners and second derivatives where these suffice, and Bernstein coefficients of degree
+ * nine on triangles otherwise. The enclosure on the mesh is refined by subdivision where it is decisive, until it
+ * exceeds attained values by at most `tolerance` times their range.
  */
 template <typename ConcurrencyTag, typename Field>
 Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, double tolerance = 1e-7)
 {
   constexpr std::size_t chunk = 1024;
   constexpr int max_depth = 20;
-  constexpr double good = 0.002; // excess of a bound that is not to be improved, relative to the range of values
+  constexpr double good = 0.002; // relative to the range of values: bounds with less excess are not improved
   const std::vector<Clipped_mesh_3::Piece>& pieces = clipped.pieces();
   const std::size_t chunks = (pieces.size() + chunk - 1) / chunk;
 
@@ -204,7 +204,7 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
 
   std::vector<Level_range> enclosure(chunks), piece_range(pieces.size());
   internal::for_each_chunk<ConcurrencyTag>(pieces.size(), chunk, [&](std::size_t begin, std::size_t end) {
-    Level_range found = values; // grows by what this chunk finds
+    Level_range found = values; // extended by the values found in this chunk
     Level_range& bound = enclosure[begin / chunk];
     std::vector<internal::Subtriangle> stack;
     std::vector<std::array<double, 3> > corners;
@@ -239,7 +239,7 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
         const Level_range range = { *hull.first - in->error, *hull.second + in->error };
         if(t.depth == 0) piece_range[n].include(range);
         const double slack = tolerance * (found.max - found.min) + 2 * in->error;
-        // so written that bounds that are not numbers end the search
+        // written such that the search ends if bounds are NaN
         if(!(range.max > found.max + slack || range.min < found.min - slack) || t.depth == max_depth) {
           bound.include(range);
           continue;
@@ -263,15 +263,15 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief rounds a range outwards to multiples of `quantum` (the paper's \f$\tau\f$, Section 5.2, is the unit of length
- * divided by the quantum), and never inwards by the rounding of the multiples themselves.
+ * \brief rounds a range outwards to multiples of `quantum`. The unit of length divided by the quantum is the paper's
+ * \f$\tau\f$ (Section 5.2). Rounding errors of the multiples never shrink the range.
  */
 inline Level_range round_outwards(const Level_range& range, double quantum)
 {
   Level_range r;
   r.min = std::floor(range.min / quantum) * quantum;
   r.max = std::ceil(range.max / quantum) * quantum;
-  // quotients that overflow: to a quantum that small every such number is a multiple; and some that underflow
+  // If a quotient overflows, the number itself is a multiple of so small a quantum. Quotients may also underflow.
   if(!std::isfinite(r.min)) r.min = range.min;
   if(!std::isfinite(r.max)) r.max = range.max;
   if(r.min == 0 && range.min < 0) r.min = -quantum;

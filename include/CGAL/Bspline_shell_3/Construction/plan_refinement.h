@@ -21,7 +21,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the cells of a round in which something fails.
+ * \brief the cells of a round that fail, by kind of failure.
  */
 struct Round_findings
 {
@@ -58,8 +58,8 @@ struct Refinement_plan
  *
  * \brief returns the cells to split after a round.
  *
- * Around failing slopes and few obstacles, neighbors of the same size are split, too: splitting one cell hardly gives
- * the field more freedom. Where many cells fail, they are split alone.
+ * Around failing slopes and few obstacles, neighbors of the same size are split, too: splitting a single cell gives the
+ * field little freedom. If many cells fail, they are split alone.
  *
  * \param cells the cells of the round
  * \param found what failed in it

@@ -25,7 +25,7 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// meets all leaves in a cell that is halved a few times, and no other
+// Returns a box that meets all leaves in a cell that is halved a few times, and no other leaves.
 inline Bbox_3 inner_box(const Cell_hierarchy_3& cells, Cell_hierarchy_3::Index c)
 {
   const std::array<double, 3> corner = cells.corner(c);
@@ -39,21 +39,23 @@ inline Bbox_3 inner_box(const Cell_hierarchy_3& cells, Cell_hierarchy_3::Index c
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief cells refined once where asked, and more often where the mesh has gaps that are far narrower than a cell: no
- * field on cells wider than a gap increases through both of its sides, so one level after the other would be tried in
- * vain. Where the gap is not that narrow, levels in between often do.
+ * \brief returns refined cells: `marked` leaves are split once, and `obstacles` repeatedly where the mesh has gaps that
+ * are much narrower than a cell.
+ *
+ * No field on cells wider than a gap increases through both of its sides. Refining level by level would therefore fail
+ * at every intermediate level. If the gap is only slightly narrower than a cell, intermediate levels often suffice.
  *
  * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
- * \tparam Limit a predicate of numbers of cells
- * \param cells to refine
- * \param marked leaves that are split
- * \param rings of cells around them that are split, too
- * \param obstacles those of them that are split again, until their parts are no wider than four gaps or `most_halvings`
- *   are reached
- * \param most_halvings of these; at most five
- * \param gap of the mesh
- * \param clipped the mesh, cut by `cells`
- * \param is_too_many whether there must not be so many cells; splitting again ends before
+ * \tparam Limit a predicate on numbers of cells
+ * \param cells the cells to refine
+ * \param marked leaves to split
+ * \param rings rings of cells around them that are split, too
+ * \param obstacles marked leaves that are split again, until their parts are no wider than
+ *   `Condition_tuning::cell_at_gap` gaps or `most_halvings` is reached
+ * \param most_halvings largest number of halvings of obstacles; at most five
+ * \param gap the local gap of the mesh
+ * \param clipped the mesh, clipped to `cells`
+ * \param is_too_many whether a number of cells exceeds the limit; repeated splitting ends before it does
  */
 template <typename ConcurrencyTag, typename Limit>
 Cell_hierarchy_3 refine_at_gaps(const Cell_hierarchy_3& cells, const std::vector<Cell_hierarchy_3::Index>& marked,

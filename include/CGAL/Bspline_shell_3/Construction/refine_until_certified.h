@@ -53,9 +53,9 @@ namespace Bspline_shells {
  *
  * A round consists of these steps:
  * - `Fitted_field` fits the energy on the present cells.
- * - `Mended_field` corrects the field where slopes of facets are too small, or |f| is too large on the mesh, if that is
- *   in few cells.
- * - `Narrowed_thresholds` chooses thresholds. Where the mesh needs wider ones than obstacles allow, the field is
+ * - `Mended_field` corrects the field where slopes of facets are too small or |f| is too large on the mesh, if few
+ *   cells are affected.
+ * - `Narrowed_thresholds` chooses thresholds. Where the mesh requires wider ones than obstacles allow, the field is
  *   corrected again.
  * - If nothing fails, `Shell_certificate_3` proves the claims.
  * - Otherwise, `plan_refinement()` chooses the cells to split.
@@ -79,7 +79,8 @@ public:
       m_history(problem.wanted_slopes.size(), problem.parameters.tuning), m_budget(problem.parameters)
   {}
 
-  /// \param cells to begin with; they contain the mesh
+  /// refines the cells until the shell is certified, or until refinement ends without a proof
+  /// \param cells the initial cells; they contain the mesh
   Refinement_status operator()(Cell_hierarchy_3 cells)
   {
     m_budget.start();
@@ -176,7 +177,7 @@ private:
       for(const Thick_cell& t : m_examined.thick_cells()) found.thick.push_back(t.cell);
   }
 
-  // Cells that are nearly too thick would be too thick in the next round.
+  // Returns the cells that are thick, or nearly thick and would be thick in the next round.
   std::vector<Index> nearly_thick_cells()
   {
     const std::vector<Level_range>& ranges = m_examined.ranges(Mesh_ranges::SHARP);
@@ -236,8 +237,8 @@ private:
     return conditions;
   }
 
-  // Finds the cells where |f| leaves thresholds no room, or little, to pass obstacles. If obstacles without room are
-  // few, similar cells are added.
+  // Finds the cells where |f| leaves thresholds little or no room to pass obstacles. If few obstacles leave no room,
+  // similar cells are added.
   void find_culprits(const std::vector<Threshold_obstacle>& obstacles, Round_findings& found)
   {
     std::vector<Threshold_obstacle> places = m_examined.thresholds().tight_places();
@@ -283,7 +284,8 @@ private:
                                           [&](std::size_t size) { return is_beyond_limits(size); });
   }
 
-  // Returns the first limit that a round with so many cells would exceed. Points per cell are assumed to be constant.
+  // Returns the first limit that a round with this number of cells would exceed. Points per cell are assumed to be
+  // constant.
   Refinement_limit limit_of_round(std::size_t cells) const
   {
     const double points = double(cells) / double(field()->number_of_cells()) * double(field()->number_of_points());
@@ -307,7 +309,7 @@ private:
     return m_certificate->is_certified();
   }
 
-  // certifies the last field, whatever can be proved
+  // computes a certificate of the last field, even if some claims fail
   void certify_as_it_is(Round_findings& found)
   {
     if(!m_examined.thresholds().are_chosen()) {
@@ -338,7 +340,7 @@ std::vector<Refinement_obstacle> Certified_refinement<ConcurrencyTag>::obstacles
   std::map<Index, std::array<double, 3> > places;
   for(const Threshold_obstacle& o : m_obstacles) places.insert({ o.cell, o.point });
   for(const Certificate_witness& w : m_certificate->witnesses()) {
-    // without a place
+    // These witnesses have no place.
     if(w.reason == Certificate_witness::TWO_SHEETS || w.reason == Certificate_witness::CONTAINMENT_NEEDED) continue;
     const Index c = field()->locate(Field::Point_3(w.point[0], w.point[1], w.point[2]));
     if(c != Field::npos) places.insert({ c, w.point });

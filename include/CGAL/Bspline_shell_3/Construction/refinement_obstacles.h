@@ -28,14 +28,14 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief what the mesh is like at the places that stand in the way of a proof, narrowest first; at most a thousand of
- * them.
+ * \brief returns the obstacles at places where a proof failed, with the local gap of the mesh there; narrowest first,
+ * at most 1000.
  *
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
- * \param cells of the field
- * \param clipped the mesh, cut by them
- * \param gap of the mesh
- * \param places a point in each cell that has one
+ * \param cells the cells of the field
+ * \param clipped the mesh, clipped to these cells
+ * \param gap the local gap of the mesh
+ * \param places the failing cells, with a point in each
  */
 template <typename ConcurrencyTag>
 std::vector<Refinement_obstacle> refinement_obstacles(
@@ -43,7 +43,7 @@ std::vector<Refinement_obstacle> refinement_obstacles(
   const std::map<Cell_hierarchy_3::Index, std::array<double, 3> >& places)
 {
   constexpr std::size_t most = 1000, chunk = 16;
-  constexpr double far = 4; // widths of a cell
+  constexpr double far = 4; // in widths of the cell
   const std::vector<std::pair<Cell_hierarchy_3::Index, std::array<double, 3> > > list(places.begin(), places.end());
   std::vector<Refinement_obstacle> result(list.size());
   internal::for_each_chunk<ConcurrencyTag>(list.size(), chunk, [&](std::size_t begin, std::size_t end) {

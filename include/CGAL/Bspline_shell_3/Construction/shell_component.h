@@ -17,36 +17,37 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the cells that the shell may meet: a cover of those connected components of
- * \f$\{\epsilon_1 \le f \le \epsilon_2\}\f$ that are connected to the mesh.
+ * \brief the cells that the shell may intersect: a cover of the connected components of \f$\{\epsilon_1 \le f \le
+ * \epsilon_2\}\f$ that intersect the mesh.
  *
- * Other components (a field is free to take the levels elsewhere) are no part of the shell.
+ * Other components are not part of the shell; the field may take these values anywhere.
  */
 struct Shell_component
 {
-  std::vector<char> cells; ///< whether a cell is in the cover; in the order of the field's cells
-  /// cells of the cover where the shell may run into the domain's boundary
+  std::vector<char> cells; ///< for each cell of the field, whether it is in the cover
+  /// cells of the cover where the shell may reach the domain's boundary
   std::vector<std::uint32_t> border_cells;
 };
 
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief finds the shell's cells by flooding from the cells that the mesh enters, through all faces on which the range
- * of the Bernstein coefficients meets the levels.
+ * \brief computes the shell's cells by flooding.
  *
- * The ranges over-estimate: what is not in the cover is certainly not in the shell (up to rounding of the levels).
+ * Flooding starts at the cells that the mesh intersects. It passes all faces on which the range of the Bernstein
+ * coefficients meets the levels. The ranges over-estimate the field: cells outside the cover are certainly outside the
+ * shell, up to rounding of the levels.
  *
  * \param field the field
  * \param levels \f$\epsilon_1\f$ and \f$\epsilon_2\f$, user units
- * \param surface_cells the cells that the mesh enters
+ * \param surface_cells the cells that the mesh intersects
  */
 template <typename Field>
 Shell_component shell_component(const Field& field, const std::vector<typename Field::Cell_index>& surface_cells,
                                 const Level_range& levels)
 {
   typedef typename Field::Cell_index Index;
-  // the range of the sixteen coefficients on a face
+  // Whether the range of the sixteen coefficients on a face meets the levels.
   const auto face_meets = [&](const typename Field::Cell& cell, int axis, bool positive) {
     Level_range range;
     const int stride = axis == 0 ? 1 : axis == 1 ? 4 : 16;

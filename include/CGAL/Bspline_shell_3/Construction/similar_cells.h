@@ -22,24 +22,24 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief cells at the mesh that are connected to given ones by cells of the same size, with fields about as large on
- * the mesh as in the given one, or larger.
+ * \brief returns cells at the mesh that are similar to given ones: connected to them by cells of the same size, and
+ * with |f| on the mesh about as large or larger.
  *
- * Next to cells that are refined without them, these would be the next ones.
+ * Otherwise these neighbors would fail in the next round.
  *
  * \param cells the cells
- * \param ranges enclose the field on the part of the mesh in each cell
- * \param given leaves
- * \return ascending, without the given ones
+ * \param ranges enclosures of the field on the part of the mesh in each cell
+ * \param given the given leaves
+ * \return the similar cells without the given ones, ascending
  *
- * \cgalHeading{Cost} linear in the number of all cells
+ * \cgalHeading{Cost} Linear in the number of all cells.
  */
 inline std::vector<Cell_hierarchy_3::Index> similar_cells(const Cell_hierarchy_3& cells,
                                                           const std::vector<Level_range>& ranges,
                                                           const std::vector<Cell_hierarchy_3::Index>& given)
 {
   typedef Cell_hierarchy_3::Index Index;
-  // less than zero where there is no mesh
+  // negative where there is no mesh
   const auto largest = [&](Index c) { return (std::max)(-ranges[c].min, ranges[c].max); };
   enum : char
   {
@@ -49,7 +49,8 @@ inline std::vector<Cell_hierarchy_3::Index> similar_cells(const Cell_hierarchy_3
   };
   std::vector<char> state(cells.number_of_cells(), UNSEEN);
   for(Index c : given) state[c] = GIVEN;
-  // smallest fields first: from there, all is reached that others would reach through the same cells
+  // Start at the cells with the smallest |f|: they reach everything that other cells would reach through the same
+  // cells.
   std::vector<Index> starts = given, similar, front;
   std::stable_sort(starts.begin(), starts.end(), [&](Index a, Index b) { return largest(a) < largest(b); });
   for(Index start : starts) {

@@ -31,18 +31,18 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the slope that a field should have along the normal of each triangle: a part of what is possible at all three
- * vertices (`vertex_cone_margin()`), and zero at singular ones.
+ * \brief returns the slope that a field should have along the normal of each triangle: a fraction of the slope that is
+ * possible at all three vertices (`vertex_cone_margin()`), and zero if a vertex is singular.
  *
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
  * \param input the mesh
- * \param fraction of what is possible
+ * \param fraction fraction of the possible slope
  */
 template <typename ConcurrencyTag>
 std::vector<double> wanted_slopes(const Input_mesh_3& input, double fraction)
 {
   constexpr std::size_t chunk = 1024;
-  constexpr double singular = 1e-9; // cone margins, of which rounding leaves nothing
+  constexpr double singular = 1e-9; // smaller cone margins are lost in rounding
   const auto& mesh = input.mesh();
   std::vector<double> margin(mesh.number_of_vertices(), 1);
   internal::for_each_chunk<ConcurrencyTag>(margin.size(), chunk, [&](std::size_t begin, std::size_t end) {
@@ -64,22 +64,22 @@ std::vector<double> wanted_slopes(const Input_mesh_3& input, double fraction)
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief conditions for a field on a mesh (`Slope_enforcement`): in the middle of its pieces, and at the corners of
- * those that are not small beside their cells; in cells with many pieces, in the middle of some.
+ * \brief returns conditions for a field on a mesh (`Slope_enforcement`): at the centers of pieces, and at the corners
+ * of pieces that are not small relative to their cells. In cells with many pieces, only some centers have conditions.
  *
- * Across a cell a field hardly varies more than that; whoever needs to know finds the places where it is not enough.
+ * The slope varies little within a cell; the caller checks the rest.
  *
- * \tparam ConcurrencyTag as for `wanted_slopes()`; functions are called by several threads at once
+ * \tparam ConcurrencyTag as for `wanted_slopes()`; unless it is `Sequential_tag`, functions are called concurrently
  * \tparam Field `Hierarchical_bspline_field_3`
  * \tparam Slope a function of cells and triangles
- * \tparam Predicate of cells
+ * \tparam Predicate a predicate on cells
  * \tparam Size a function of cells
- * \param field gives the cells; its values are not looked at
- * \param clipped the mesh, cut by them
- * \param wanted the slope of a triangle in a cell (`wanted_slopes()`); no conditions where it is zero, as nothing helps
- *   at a singular vertex
- * \param is_asked for which cells conditions are wanted
- * \param largest what \f$|f|\f$ may be on the mesh in a cell, in units of the width of root cells
+ * \param field the field whose cells are used; its values are not used
+ * \param clipped the mesh, clipped to these cells
+ * \param wanted the slope of a triangle in a cell (`wanted_slopes()`). If it is zero, no condition is added:
+ *   corrections cannot help at a singular vertex.
+ * \param is_asked whether conditions are required in a cell
+ * \param largest largest allowed \f$|f|\f$ on the mesh in a cell, in units of the width of root cells
  */
 template <typename ConcurrencyTag = Sequential_tag, typename Field, typename Slope, typename Predicate, typename Size>
 std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_mesh_3& clipped, const Slope& wanted,
@@ -98,7 +98,7 @@ std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_
     return !((std::max)({ high[0] - low[0], high[1] - low[1], high[2] - low[2] })
              > condition_tuning.small_piece * field.cells().width(piece.cell));
   };
-  // a cell belongs to the chunk that its first piece is in
+  // A cell belongs to the chunk that contains its first piece.
   const auto first_of_cell = [&](std::size_t n) {
     while(0 < n && n < pieces.size() && pieces[n - 1].cell == pieces[n].cell) ++n;
     return n;
@@ -134,15 +134,15 @@ std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief a condition at a point beside a mesh, along the direction that the facets nearby have in common, if there is
- * one.
+ * \brief returns a slope condition at a point near a mesh, along the direction that the facets nearby have in common;
+ * nothing if there is no such direction.
  *
  * \tparam Field `Hierarchical_bspline_field_3`
- * \param field gives the cells; its values are not looked at
- * \param clipped the mesh, cut by them
+ * \param field the field whose cells are used; its values are not used
+ * \param clipped the mesh, clipped to these cells
  * \param c,point a cell, and a point in it
- * \param distance of the point from the mesh
- * \param fraction of the slope that is possible
+ * \param distance distance of the point from the mesh
+ * \param fraction fraction of the possible slope
  */
 template <typename Field>
 std::optional<Slope_condition> common_slope(const Field& field, const Clipped_mesh_3& clipped,

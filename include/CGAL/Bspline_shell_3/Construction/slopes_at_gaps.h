@@ -23,19 +23,18 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the slope that a field can be asked for on the mesh in cells with narrow walls or gaps.
+ * \brief returns the slopes that can be required of a field on the mesh in cells with narrow walls or gaps.
  *
- * In cells of a width \f$h\f$ a field bends no more than about \f$1/h\f$. If it is zero on both sides of a wall of
- * width \f$g < h\f$, it is like
- * \f$(x^2 - g^2/4) / h\f$ across, which has the slope \f$g/h\f$ on them. A quarter of that leaves room for what the
- *   field does along the wall.
+ * In cells of width \f$h\f$, the second derivatives of a field are at most about \f$1/h\f$. If the field is zero on
+ * both sides of a wall of width \f$g < h\f$, it resembles \f$(x^2 - g^2/4) / h\f$ across the wall. The slope on both
+ * sides is \f$g/h\f$. A quarter of this slope leaves room for variation along the wall.
  *
  * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
  * \param cells the cells
- * \param asked for which of them
- * \param gap of the mesh
- * \param clipped the mesh, cut by `cells`
- * \return for each of these; infinite where no gap is narrower than the cell
+ * \param asked cells for which slopes are returned
+ * \param gap the local gap of the mesh
+ * \param clipped the mesh, clipped to `cells`
+ * \return the slope for each of these cells; infinite if no gap is narrower than the cell
  */
 template <typename ConcurrencyTag>
 std::vector<double> slopes_at_gaps(const Cell_hierarchy_3& cells, const std::vector<Cell_hierarchy_3::Index>& asked,

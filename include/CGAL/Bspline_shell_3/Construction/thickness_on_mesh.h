@@ -20,25 +20,25 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief how thick a shell is on the mesh.
+ * \brief the thickness of a shell on a mesh.
  */
 struct Thickness_on_mesh
 {
-  double largest = 0; ///< difference of the thresholds
-  /// part of the mesh's area, in cells where that is less than asked for by more than a hundredth
+  double largest = 0; ///< largest difference of the thresholds
+  /// fraction of the mesh's area in cells where the difference is more than 1 % below the requested thickness
   double narrowed_area = 0;
 };
 
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief compares thresholds with the thickness asked for.
+ * \brief compares thresholds with the requested thickness.
  *
  * \tparam Threshold `Spline_threshold`
  * \tparam Thickness a function of cells
- * \param clipped the mesh, cut by the cells of the thresholds
+ * \param clipped the mesh, clipped to the cells of the thresholds
  * \param inner,outer the thresholds
- * \param asked the thickness asked for, user units
+ * \param asked the requested thickness in a cell, user units
  */
 template <typename Threshold, typename Thickness>
 Thickness_on_mesh thickness_on_mesh(const Clipped_mesh_3& clipped, const Threshold& inner, const Threshold& outer,

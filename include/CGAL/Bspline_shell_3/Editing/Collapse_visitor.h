@@ -18,8 +18,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief what a run of `CGAL::Surface_mesh_simplification::edge_collapse()` did: counts, and for every vertex of the
- * mesh before the vertex of the result into which it was collapsed.
+ * \brief the history of a run of `CGAL::Surface_mesh_simplification::edge_collapse()`: counts, and for every vertex of
+ * the original mesh the vertex of the result into which it was collapsed.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
  */
@@ -29,18 +29,18 @@ class Collapse_history
 public:
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
 
-  std::size_t selected = 0;        ///< edges that were considered, with those considered again
-  std::size_t collapsed = 0;       ///< with those of length zero
+  std::size_t selected = 0;        ///< edges that were considered; repetitions are counted
+  std::size_t collapsed = 0;       ///< including edges of length zero
   std::size_t not_collapsable = 0; ///< edges that failed the link condition or the filter
 
-  /// the vertex into which `v` was collapsed, `v` itself if it is still there
+  /// returns the vertex into which `v` was collapsed, or `v` itself if it still exists
   vertex_descriptor image(vertex_descriptor v) const
   {
     for(auto found = m_kept.find(v); found != m_kept.end(); found = m_kept.find(v)) v = found->second;
     return v;
   }
 
-  /// `v` is removed in favour of `kept`
+  /// records that `v` is removed in favor of `kept`
   void collapse(vertex_descriptor v, vertex_descriptor kept)
   {
     ++collapsed;
@@ -48,12 +48,12 @@ public:
   }
 
 private:
-  // a removed vertex is kept as a number or address only
+  // Removed vertices are only used as numbers or addresses.
   std::unordered_map<vertex_descriptor, vertex_descriptor> m_kept;
 };
 
 /// \ingroup PkgBsplineShell3Editing
-/// \brief a visitor that does nothing, whatever the type of the profile.
+/// \brief a visitor that does nothing, for any type of profile.
 ///
 /// \cgalModels `EdgeCollapseSimplificationVisitor`
 struct Silent_collapse_visitor
@@ -87,11 +87,11 @@ struct Silent_collapse_visitor
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief a visitor for `CGAL::Surface_mesh_simplification::edge_collapse()` that writes the history of the run, and
- * passes all calls on, before it does its own work.
+ * \brief a visitor for `CGAL::Surface_mesh_simplification::edge_collapse()` that records the history of the run. Each
+ * call is first passed on to a base visitor.
  *
- * Visitors cannot stop a run; a model of `StopPredicate` can, and sees the number of edges before and now for each edge
- * that is considered. Copies share the history.
+ * Visitors cannot stop a run. A model of `StopPredicate` can; it receives the initial and the current number of edges
+ * for each edge that is considered. Copies share the history.
  *
  * \cgalModels `EdgeCollapseSimplificationVisitor`
  *
@@ -104,7 +104,7 @@ class Collapse_visitor
 public:
   typedef Collapse_history<TriangleMesh> History;
 
-  /// without another visitor
+  /// constructs a visitor with its own base visitor
   Collapse_visitor() : m_own(std::make_shared<BaseVisitor>()), m_base(m_own.get()) {}
   /// \pre `base` outlives this object and its copies
   explicit Collapse_visitor(BaseVisitor& base) : m_base(&base) {}
@@ -112,7 +112,7 @@ public:
   const History& history() const { return *m_history; }
 
   /// \name Calls
-  /// as \cgal makes them
+  /// These functions are called by \cgal.
   /// @{
   void OnStarted(TriangleMesh& mesh)
   {

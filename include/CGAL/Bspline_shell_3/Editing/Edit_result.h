@@ -18,10 +18,10 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief a report, and where the vertices went.
+ * \brief the report of an edit, and the images of the vertices.
  *
- * `images` and `locations` have descriptors of the result as it is. `Surface_mesh::collect_garbage()` makes them
- * invalid, as it renumbers vertices and facets: use them before.
+ * `images` and `locations` contain descriptors of the result as it is returned. `Surface_mesh::collect_garbage()`
+ * renumbers vertices and facets, and thus invalidates them.
  *
  * \tparam Report `Simplification_report` or `Remeshing_report`
  * \tparam TriangleMesh a model of `FaceListGraph`
@@ -34,14 +34,15 @@ struct Edit_result : Report
   /// facet and barycentric coordinates: a `CGAL::Polygon_mesh_processing::Face_location`
   typedef std::pair<face_descriptor, std::array<double, 3> > Location;
 
-  /// for each vertex that the mesh had, in the order of `vertices(mesh)`, the vertex of the result into which it was
-  /// collapsed, or which it still is; empty if the mesh was not edited. It is always found, and costs next to nothing,
-  /// but says nothing of places: vertices move when edges are collapsed, and when they are relaxed.
+  /// for each vertex of the original mesh, in the order of `vertices(mesh)`, the vertex of the result into which it was
+  /// collapsed, or the vertex itself; empty if the mesh was not edited. Every vertex has an image, at almost no cost.
+  /// An image is not a location: vertices move when edges are collapsed, and when vertices are relaxed.
   std::vector<vertex_descriptor> images;
 
-  /// with `locate_vertices(true)`: for each vertex that the mesh had, in the order of `vertices(mesh)`, where on the
-  /// result the integral curve through its former place leads, as `Shell_map_3` from the mesh before to the result
-  /// would find it. The facet is null where none was found. Empty if the mesh was not edited, or if not asked for.
+  /// with `locate_vertices(true)`: for each vertex of the original mesh, in the order of `vertices(mesh)`, the location
+  /// on the result of the integral curve through its original position. This is its image under the `Shell_map_3` from
+  /// the original mesh to the result. The facet is null if no image was found. Empty if the mesh was not edited, or if
+  /// not requested.
   std::vector<Location> locations;
 };
 

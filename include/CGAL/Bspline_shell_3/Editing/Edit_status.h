@@ -10,27 +10,29 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Editing
-/// what became of a mesh that was to be simplified or remeshed. Every value but `SUCCESS` and `EDITED_EXCEPT_FROZEN`
-/// means that it is as it was before.
+/// the outcome of the simplification or remeshing of a mesh. The mesh is unchanged unless the value is `SUCCESS` or
+/// `EDITED_EXCEPT_FROZEN`.
 enum class Edit_status
 {
-  SUCCESS,               ///< the result is certified
-  EDITED_EXCEPT_FROZEN,  ///< with `freeze_rejected_facets(true)`: facets were frozen, and the result is not certified;
-                         ///< the others are proved to lie in the shell and to face along the gradient
+  SUCCESS, ///< the result is certified
+  /// with `freeze_rejected_facets(true)`: facets were frozen, and the result is not certified. The other facets are
+  /// proved to lie in the shell and to face along the gradient
+  EDITED_EXCEPT_FROZEN,
   NO_SHELL,              ///< there is no shell
-  INVALID_PARAMETER,     ///< a parameter has a value that is not allowed (`Edit_report::invalid_parameter`)
-  MEMORY_LIMIT_EXCEEDED, ///< the result, with what is needed to certify it, would need more memory than allowed
+  INVALID_PARAMETER,     ///< a parameter has an invalid value (`Edit_report::invalid_parameter`)
+  MEMORY_LIMIT_EXCEEDED, ///< the result and its certificate would need more memory than allowed
   TIME_LIMIT_EXCEEDED,   ///< the time limit was reached before the result was certified
   NOT_FINITE,            ///< a coordinate is infinite or not a number
-  NOT_TRIANGULATED,      ///< the mesh has no facet, or one that is no triangle
+  NOT_TRIANGULATED,      ///< the mesh has no facet, or a facet that is not a triangle
   OPEN_MESH,             ///< the mesh has a border
   NOT_CLOSABLE,          ///< the mesh has the border of the shell, but also an edge of the shell's closing
   NOT_IN_SHELL, ///< a facet is not proved to lie in the shell and to face along the gradient, or a fan winds twice
-  NOT_CERTIFIED ///< no facet was rejected to begin with, but the certificate of the result fails: the report says where
+  /// no facet was rejected before the edit, but the certificate of the result fails; the report lists the places
+  NOT_CERTIFIED
 };
 
 /// \ingroup PkgBsplineShell3Editing
-/// what is wrong and what can be done about it, in one sentence
+/// returns one sentence that describes the problem and a remedy
 inline const char* message(Edit_status status)
 {
   switch(status) {

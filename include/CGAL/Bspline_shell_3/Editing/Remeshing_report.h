@@ -16,11 +16,11 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief how the remeshing of a mesh went.
+ * \brief the report of a remeshing.
  */
 struct Remeshing_report : Edit_report
 {
-  std::size_t splits = 0, collapses = 0, flips = 0, moves = 0; ///< that were done
+  std::size_t splits = 0, collapses = 0, flips = 0, moves = 0; ///< numbers of operations
 };
 
 } // namespace Bspline_shells

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Editing
-/// \brief a filter that lets every placement pass.
+/// \brief a filter that accepts every placement.
 ///
 /// \cgalModels `PlacementFilter`
 struct Permissive_filter
@@ -35,28 +35,29 @@ struct Permissive_filter
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief a filter for `CGAL::Surface_mesh_simplification::edge_collapse()` that keeps a closed mesh in a shell: a
+ * \brief a filter for `CGAL::Surface_mesh_simplification::edge_collapse()` that keeps a closed mesh in a shell. A
  * placement passes only if the oracle accepts the facets at the new vertex, which are all that change, and their fan.
  *
- * A mesh whose facets lie in the shell and face along the gradient, and whose fans all wind once, stays such a mesh:
- * - *Other fans* need no test. At a vertex of the link that is on one of the two old stars only, one neighbor moves:
- *   the two facets there turn by less than a turn together, before and after, from the same vertex to the same vertex,
- *   and so by the same angle. At the two vertices opposite to the edge, three facets become two: what the fan turns can
- *   only get less, by full turns, and a fan of facets that all face the axis turns once at least.
- * - *Components* need no test: every facet that changes has a vertex of the link, which stays where it is, and so lies
- *   in the component of the shell that the vertex lies in.
+ * Assume that the facets of a mesh lie in the shell and face along the gradient, and that all its fans wind once. A
+ * collapse that passes the filter preserves this property:
+ * - *Other fans* need no test. At a vertex of the link that is on only one of the two old stars, one neighbor moves.
+ *   Before and after, the two facets there turn by less than a full turn together, from the same vertex to the same
+ *   vertex. They hence turn by the same angle. At the two vertices opposite to the edge, three facets become two. The
+ *   fan's angle can only decrease, by full turns, and a fan of facets that all face the axis turns at least once.
+ * - *Components* need no test. Every facet that changes has a vertex of the link, which does not move. The facet
+ *   therefore lies in the same component of the shell as this vertex.
  *
- * The last two claims of the certificate, one sheet and degree one, then stay as they are, too. As \cgal collapses
- * edges of length zero without asking the filter, `Shell_certificate_3` should have the last word, as it has in
+ * The last two claims of the certificate, one sheet and degree one, then remain true, too. \cgal collapses edges of
+ * length zero without calling the filter. The result should therefore be verified by `Shell_certificate_3`, as in
  * `simplify_in_shell()`.
  *
- * Copies, as \cgal makes them, share their statistics and what the oracle remembers, so that one filter and its copies
- * serve one thread at a time. The oracle may serve several.
+ * Copies, which \cgal makes, share their statistics and the memory of the oracle. A filter and its copies must
+ * therefore be used by one thread at a time. The oracle may be used by several threads.
  *
  * \cgalModels `PlacementFilter`
  *
  * \tparam Oracle a `Shell_facet_oracle_3`; deduced from a shell
- * \tparam BaseFilter a model of `PlacementFilter`, asked first
+ * \tparam BaseFilter a model of `PlacementFilter`, which is called first
  *
  * \sa `Shell_placement`
  */
@@ -66,19 +67,19 @@ class Shell_filter
 public:
   typedef typename Oracle::Shell Shell;
 
-  /// a filter with an oracle of its own, which proves all facets
+  /// constructs a filter with its own oracle, which proves all facets
   /// \pre `shell` outlives this object and its copies
   explicit Shell_filter(const Shell& shell, const BaseFilter& base_filter = BaseFilter())
     : Shell_filter(std::make_shared<const Oracle>(shell), base_filter)
   {}
-  explicit Shell_filter(const Shell&&, const BaseFilter& = BaseFilter()) = delete; // it would dangle
+  explicit Shell_filter(const Shell&&, const BaseFilter& = BaseFilter()) = delete; // would dangle
 
-  /// a filter that asks an oracle of the caller's
+  /// constructs a filter with an oracle of the caller
   /// \pre `oracle` outlives this object and its copies
   explicit Shell_filter(const Oracle& oracle, const BaseFilter& base_filter = BaseFilter())
     : Shell_filter(std::shared_ptr<const Oracle>(std::shared_ptr<void>(), &oracle), base_filter)
   {}
-  explicit Shell_filter(const Oracle&&, const BaseFilter& = BaseFilter()) = delete; // it would dangle
+  explicit Shell_filter(const Oracle&&, const BaseFilter& = BaseFilter()) = delete; // would dangle
 
   /// returns the placement, or none if it is rejected.
   /// \tparam Profile a model of `EdgeCollapseProfile` whose points have coordinates of type `double`
@@ -91,7 +92,7 @@ public:
     return verdict == Placement_verdict::ACCEPTED ? placement : OptionalPoint();
   }
 
-  /// counts of this filter and its copies
+  /// returns the counts of this filter and its copies
   const Placement_statistics& statistics() const { return m_state->statistics; }
 
 private:
@@ -109,7 +110,7 @@ private:
   Placement_verdict judge(const Profile& profile, const Point& p) const
   {
     typedef typename Oracle::Point_3 Point_3;
-    // the facets that stay, after the one or two at the edge, go around it: (v0, p, v2), from v2 to v0
+    // The facets that remain, after the one or two at the edge, surround it: (v0, p, v2), from v2 to v0.
     const auto& triangles = profile.triangles();
     const auto& vpm = profile.vertex_point_map();
     const std::size_t first = std::size_t(profile.left_face_exists()) + std::size_t(profile.right_face_exists());

@@ -15,11 +15,11 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief a placement for `CGAL::Surface_mesh_simplification::edge_collapse()` that brings the places of another policy
- * into a shell: a place that is not between the thresholds is moved along the gradient to the mean level of the edge's
- * ends.
+ * \brief a placement for `CGAL::Surface_mesh_simplification::edge_collapse()` that moves the placements of another
+ * policy into a shell. A point that is not between the thresholds is moved along the gradient to the mean level of the
+ * edge's ends.
  *
- * `Shell_filter` rejects fewer places then. Whether a place is moved is decided in floating-point arithmetic: this
+ * `Shell_filter` then rejects fewer placements. Whether a point is moved is decided in floating-point arithmetic: this
  * policy proves nothing, the filter does.
  *
  * \cgalModels `GetPlacement`
@@ -37,9 +37,9 @@ public:
   Shell_placement(const Shell& shell, const BasePlacement& base_placement = BasePlacement())
     : m_shell(&shell), m_base_placement(base_placement)
   {}
-  Shell_placement(const Shell&&, const BasePlacement& = BasePlacement()) = delete; // it would dangle
+  Shell_placement(const Shell&&, const BasePlacement& = BasePlacement()) = delete; // would dangle
 
-  /// returns the place of the other policy, moved if need be; none if that policy has none.
+  /// returns the placement of the other policy, moved if necessary; none if that policy returns none.
   /// \tparam Profile a model of `EdgeCollapseProfile` whose points have coordinates of type `double`
   template <typename Profile>
   auto operator()(const Profile& profile) const

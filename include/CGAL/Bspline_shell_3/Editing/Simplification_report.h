@@ -16,13 +16,13 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief how the simplification of a mesh went.
+ * \brief the report of a simplification.
  */
 struct Simplification_report : Edit_report
 {
-  std::size_t selected = 0;  ///< edges that were considered, with those considered again
-  std::size_t collapsed = 0; ///< with those of length zero
-  std::size_t retried = 0;   ///< edges for which another place was accepted than the first one
+  std::size_t selected = 0;  ///< edges that were considered; repetitions are counted
+  std::size_t collapsed = 0; ///< including edges of length zero
+  std::size_t retried = 0;   ///< edges for which the first placement was rejected and another one accepted
 };
 
 } // namespace Bspline_shells

@@ -36,7 +36,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief how the remeshing of a mesh went, and where its vertices went.
+ * \brief the report of a remeshing, and the images of the vertices.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
  */
@@ -46,16 +46,17 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief remeshes a mesh in a shell: edges get about the length asked for and facets become nearly equilateral, by
- * operations after which every facet still lies in the shell and faces along the gradient. The result is certified
- * anew, so that it has no self-intersections, and the integral curves map it one-to-one onto the mesh before.
+ * \brief remeshes a mesh in a shell: edges get about the requested length, and facets become nearly equilateral.
  *
- * As in M. Botsch, L. Kobbelt: A remeshing approach to multiresolution modeling, 2004, each iteration splits edges that
- * are longer than 4/3 of the target length, collapses those that are shorter than 4/5 of it, flips edges towards six
- * edges at each vertex, and moves vertices within the tangent plane towards the centroid of their neighbors; then,
- * along the gradient, back onto the mesh as it was. Before each iteration and in the end, edges are flipped where that
- * makes facets better. Along edges of more than about 25 degrees, vertices move along the edge only, and these edges
- * are not flipped. An operation that the shell forbids is left out, or done by a part.
+ * After every operation, all facets still lie in the shell and face along the gradient. The result is certified anew:
+ * it has no self-intersections, and the integral curves map it one-to-one onto the original mesh.
+ *
+ * The method follows M. Botsch, L. Kobbelt: A remeshing approach to multiresolution modeling, 2004. Each iteration
+ * splits edges that are longer than 4/3 of the target length, and collapses edges that are shorter than 4/5 of it. It
+ * then flips edges towards six edges at each vertex, and moves vertices within the tangent plane towards the centroid
+ * of their neighbors. Moved vertices return to the original mesh, along the gradient. Before each iteration and at the
+ * end, edges are flipped where this improves facets. Edges of more than about 25 degrees are not flipped, and their
+ * vertices move only along them. An operation that the shell rejects is omitted or done in part.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for all proofs, and for the
  *   moves of vertices; the result is the same
@@ -63,19 +64,18 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *   any kernel whose `FT` is `double`
  * \tparam Sizing `double`, or a function from points to `double`
  *
- * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes, often the one that the shell
- *   was built for. If it is not edited, it is as before: if the status is `NOT_CERTIFIED` or `TIME_LIMIT_EXCEEDED`, or
- *   `INVALID_PARAMETER` for a length that was asked for between the vertices of the mesh, it is filled again with what
- *   it was. Property maps of a `Surface_mesh` have the values that they had, then, and so has the map of constrained
- *   edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and other maps that the
- *   caller has of them are invalid. With all other statuses it was not touched, unless it has tips that
- *   `Bspline_shell_3::truncation()` replaces: such a mesh is truncated first, and filled again if the status is
- *   `NOT_IN_SHELL`; so is one of which an estimate took all facets for facets in the shell. Constrained edges that lead
- *   to a tip end where it is cut.
- * \param target_edge_length the length of edges, or the length of edges near a point; user units, positive and finite,
- *   and such that there are less than 2^30 facets. `Edit_report::end` is the reason why edges may have other lengths in
- *   the end.
- * \param shell a shell. Whether it is certified for another mesh does not matter.
+ * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes; often the mesh that the
+ *   shell was built for. If it is not edited, it is either untouched or restored. It is restored if the status is
+ *   `NOT_CERTIFIED`, `TIME_LIMIT_EXCEEDED` or `NOT_CLOSABLE`, or `INVALID_PARAMETER` for a length that was requested
+ *   between the vertices of the mesh. With the status `NOT_IN_SHELL`, it is restored in two cases: if it has tips that
+ *   `Bspline_shell_3::truncation()` replaces, because it is truncated first; and if an estimate accepted all of its
+ *   facets at first. The property maps of a restored `Surface_mesh` have their original values, and so has the map of
+ *   constrained edges, wherever it stores them. The elements of other restored meshes are new: descriptors and other
+ *   maps of the caller are invalid. Constrained edges that lead to a tip end where it is cut.
+ * \param target_edge_length the length of edges, or a function that returns the length of edges near a point; user
+ *   units, positive and finite. There must be less than 2^30 facets. `Edit_report::end` is the reason why edges may
+ *   have other lengths at the end.
+ * \param shell a shell; it may be certified for another mesh
  * \param np optional named parameters:
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{number_of_iterations}
@@ -83,52 +83,51 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *       \cgalParamDefault{3}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{number_of_relaxation_steps}
- *       \cgalParamDescription{how often vertices are moved in each iteration}
+ *       \cgalParamDescription{number of times that vertices are moved in each iteration}
  *       \cgalParamType{`unsigned int`}
  *       \cgalParamDefault{2}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{edge_is_constrained_map}
- *       \cgalParamDescription{a model of `ReadWritePropertyMap`; such edges are not flipped, and their vertices stay
- *         where they are. They are split, their halves being constrained, and collapsed along themselves where two of
- *         them meet.}
+ *       \cgalParamDescription{a model of `ReadWritePropertyMap`. Constrained edges are not flipped, and their vertices
+ *         do not move. They are split into constrained halves, and collapsed along themselves where two of them meet.}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{vertex_is_constrained_map}
- *       \cgalParamDescription{vertices that stay, and stay where they are}
+ *       \cgalParamDescription{vertices that are neither removed nor moved}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{protect_constraints}
- *       \cgalParamDescription{whether constrained edges are not even split and collapsed; default `false`, unlike that
- *         of `simplify_in_shell()`}
+ *       \cgalParamDescription{if `true`, constrained edges are neither split nor collapsed; default `false`, unlike in
+ *         `simplify_in_shell()`}
  *       \cgalParamType{`bool`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{freeze_rejected_facets}
  *       \cgalParamDescription{if `false`, the default, a mesh with facets that are not proved to lie in the shell and
- *         to face along the gradient is refused. If `true`, these facets are frozen: none of their vertices moves or is
- *         removed, and none of their edges is flipped, split or collapsed. So are the facets at a vertex whose facets
- *         are all accepted, but whose fan does not wind once. The rest is edited; see
+ *         to face along the gradient is rejected. If `true`, these facets are frozen: none of their vertices is moved
+ *         or removed, and none of their edges is flipped, split or collapsed. If all facets at a vertex are accepted,
+ *         but their fan does not wind once, they are frozen, too. The other facets are edited; see
  *         `Edit_status::EDITED_EXCEPT_FROZEN`.}
  *       \cgalParamType{`bool`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{do_project}
- *       \cgalParamDescription{whether vertices that move return to the mesh as it was}
+ *       \cgalParamDescription{whether vertices that move return to the original mesh}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`true`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{memory_limit}
- *       \cgalParamDescription{bytes, about, that the mesh, the result and its certificate may take. They are estimated
- *         as 1200 for each facet of the mesh, and for each equilateral triangle of the size asked for that its area has
- *         room for; a `Surface_mesh` takes about a third of that. If they are more, the status is
- *         `MEMORY_LIMIT_EXCEEDED`, and nothing was touched.}
+ *       \cgalParamDescription{approximate number of bytes for the mesh, the result and its certificate. The estimate is
+ *         1200 bytes for each facet of the mesh, and for each equilateral triangle of the requested size that fits into
+ *         its area; a `Surface_mesh` takes about a third of this. If the limit is exceeded, the status is
+ *         `MEMORY_LIMIT_EXCEEDED`, and the mesh is untouched.}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{4e9}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{time_limit}
- *       \cgalParamDescription{seconds, after which the status is `TIME_LIMIT_EXCEEDED`, and the mesh is restored; by
- *         default, time is not limited}
+ *       \cgalParamDescription{seconds after which the status is `TIME_LIMIT_EXCEEDED` and the mesh is restored;
+ *         unlimited by default}
  *       \cgalParamType{`double`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
- *       \cgalParamDescription{a model of `RemeshingVisitor`, the place to show progress, or to cancel: what has been
- *         done until then is certified and kept}
+ *       \cgalParamDescription{a model of `RemeshingVisitor`, which can show progress or cancel. The operations that
+ *         were done until then are certified and kept.}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{locate_vertices}
  *       \cgalParamDescription{whether `Edit_result::locations` is filled}
@@ -136,20 +135,20 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{vertex_point_map}
- *       \cgalParamDescription{as in all of \cgal; read by several threads at once, unless `ConcurrencyTag` is
- *         `Sequential_tag`. If the mesh is open, the map must take new vertices: those that close the mesh while it is
- *         edited.}
+ *       \cgalParamDescription{as in other \cgal packages. It is read by several threads at once, unless
+ *         `ConcurrencyTag` is `Sequential_tag`. If the mesh is open, the map must accept new vertices, which close the
+ *         mesh during the edit.}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
  *
- * \cgalHeading{Proofs} as for `simplify_in_shell()`: of a `Surface_mesh` without garbage and frozen facets, facets are
- *   proved on the way only where an estimate leaves them in doubt. If all has to be done again, `target_edge_length` is
- *   asked again, from the beginning, and the map of constrained edges says what it said.
+ * \cgalHeading{Proofs} As for `simplify_in_shell()`. For a `Surface_mesh` without garbage and without frozen facets,
+ *   facets are proved during the edit only where an estimate is doubtful. If the edit is repeated, `target_edge_length`
+ *   is called again from the beginning, and the map of constrained edges has its original values.
  *
- * \cgalHeading{Cost} an operation costs the estimates, or the proofs, for the facets at one vertex, and a move a
- *   projection. Vertices that share no edge are moved at the same time, which takes most of the time; other operations
- *   follow each other. The certificate costs what it costs for any mesh in the shell. Locations cost a tree of the
- *   result's facets, and some microseconds a vertex and core.
+ * \cgalHeading{Cost} An operation costs the estimates or the proofs for the facets at one vertex, and a move also costs
+ *   a projection. Moves take most of the time; vertices without a common edge are moved concurrently. Other operations
+ *   are sequential. The certificate costs as much as for any mesh in the shell. Locations cost a tree of the result's
+ *   facets, and a few microseconds per vertex and core.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename TriangleMesh, typename Sizing, typename Field,
           typename Threshold, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -186,7 +185,7 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
   const Status usable = internal::check_before_edits(mesh, vpm, shell);
   if(usable != Status::SUCCESS) return ended(usable);
 
-  // An edge with a target length that is none is left alone, and there is no result: it might be split for ever.
+  // An edge with an invalid target length is not changed, as it might be split forever; there is no result.
   double shortest = std::numeric_limits<double>::infinity();
   const auto sizing = [&](const auto& p) -> double {
     double length = 0;
@@ -198,7 +197,7 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
     return length;
   };
   for(auto v : vertices(mesh)) sizing(get(vpm, v));
-  // Lengths in the wrong unit ask for more facets than have numbers, or than memory holds.
+  // Lengths in a wrong unit would require more facets than can be numbered or stored.
   constexpr double most_facets = double(1 << 30), area_of_equilateral = 0.433;
   // At the peak, with the certificate, a Surface_mesh takes 360 bytes for each facet, a Polyhedron_3 840; located
   // vertices add 280.
@@ -213,7 +212,7 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
   }
   const double memory_limit = choose_parameter(get_parameter(np, parameter_tags::memory_limit), 4e9);
   result.invalid_parameter.check("memory_limit", memory_limit, Parameter_bounds::positive_or_infinite());
-  // scaled so that there are as many facets as have numbers
+  // scaled to the largest number of facets
   if(!(expected < most_facets))
     result.invalid_parameter.check("target_edge_length", shortest, { shortest * std::sqrt(expected / most_facets) });
   if(result.invalid_parameter) return ended(Status::INVALID_PARAMETER);

@@ -33,7 +33,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief how the simplification of a mesh went, and where its vertices went.
+ * \brief the report of a simplification, and the images of the vertices.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
  */
@@ -43,84 +43,84 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief simplifies a mesh in a shell: by collapses of edges after which every facet still lies in the shell and faces
- * along the gradient. The result is certified anew, so that it has no self-intersections, and the integral curves map
- * it one-to-one onto the mesh before.
+ * \brief simplifies a mesh in a shell by edge collapses.
  *
- * Edges are collapsed by `CGAL::Surface_mesh_simplification::edge_collapse()`, cheapest first, under `Shell_filter`.
- * Where the place that the policy asks for is rejected, others are tried, in the order of their costs: the ends and the
- * middle of the edge, and the policy's place and the middle, moved along the gradient to the level of the edge. An edge
- * that is given up is considered again when its neighborhood has changed. Edges of length zero are collapsed first,
- * which changes no shape.
+ * After every collapse, all facets still lie in the shell and face along the gradient. The result is certified anew: it
+ * has no self-intersections, and the integral curves map it one-to-one onto the original mesh.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for all proofs;
- *         the result is the same
+ * Edges are collapsed by `CGAL::Surface_mesh_simplification::edge_collapse()`, cheapest first, under `Shell_filter`. If
+ * the policy's placement is rejected, others are tried in the order of their costs: the ends and the midpoint of the
+ * edge, and the policy's placement and the midpoint, moved along the gradient to the level of the edge. A rejected edge
+ * is considered again when its neighborhood has changed. Edges of length zero are collapsed first, which does not
+ * change the shape.
+ *
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for all proofs; the result is
+ *   the same
  * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, copyable, with points of
  *   any kernel whose `FT` is `double`
  *
- * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes, often the one that the shell
- *   was built for. If it is not edited, it is as before: if the status is `NOT_CERTIFIED` or `TIME_LIMIT_EXCEEDED`, it
- *   is filled again with what it was. Property maps of a `Surface_mesh` have the values that they had, then, and so has
- *   the map of constrained edges, wherever it keeps them; the elements of other meshes are new, so that descriptors and
- *   other maps that the caller has of them are invalid. With all other statuses it was not touched, unless it has tips
- *   that `Bspline_shell_3::truncation()` replaces: such a mesh is truncated first, and filled again if the status is
- *   `NOT_IN_SHELL`; so is one of which an estimate took all facets for facets in the shell. Constrained edges that lead
- *   to a tip end where it is cut.
- * \param shell a shell. Whether it is certified for another mesh does not matter.
+ * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes; often the mesh that the
+ *   shell was built for. If it is not edited, it is either untouched or restored. It is restored if the status is
+ *   `NOT_CERTIFIED`, `TIME_LIMIT_EXCEEDED` or `NOT_CLOSABLE`. With the status `NOT_IN_SHELL`, it is restored in two
+ *   cases: if it has tips that `Bspline_shell_3::truncation()` replaces, because it is truncated first; and if an
+ *   estimate accepted all of its facets at first. The property maps of a restored `Surface_mesh` have their original
+ *   values, and so has the map of constrained edges, wherever it stores them. The elements of other restored meshes are
+ *   new: descriptors and other maps of the caller are invalid. Constrained edges that lead to a tip end where it is
+ *   cut.
+ * \param shell a shell; it may be certified for another mesh
  * \param np optional named parameters:
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{stop}
- *       \cgalParamDescription{a model of `StopPredicate`, as `Facet_count_stop_predicate` or those of \cgal. It is
- *         asked for each edge that is considered, and so is the place to show progress, or to cancel: what has been
- *         done until then is certified and kept. By default, the mesh gets as coarse as the shell allows. If the target
+ *       \cgalParamDescription{a model of `StopPredicate`, such as `Facet_count_stop_predicate` or those of \cgal. It is
+ *         called for each edge that is considered, and can thus show progress or cancel: the collapses that were done
+ *         until then are certified and kept. By default, the mesh becomes as coarse as the shell allows. If the target
  *         of a predicate is not reached, `Edit_report::end` is the reason.}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{get_cost}
- *       \cgalParamDescription{models of `GetCost` and `GetPlacement`, both or none. The other policies of \cgal will
- *         do.}
+ *       \cgalParamDescription{models of `GetCost` and `GetPlacement`, both or none. The other policies of \cgal can be
+ *         used, too.}
  *       \cgalParamDefault{`CGAL::Surface_mesh_simplification::GarlandHeckbert_plane_policies`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{get_placement}
- *       \cgalParamDescription{models of `GetCost` and `GetPlacement`, both or none. The other policies of \cgal will
- *         do.}
+ *       \cgalParamDescription{models of `GetCost` and `GetPlacement`, both or none. The other policies of \cgal can be
+ *         used, too.}
  *       \cgalParamDefault{`CGAL::Surface_mesh_simplification::GarlandHeckbert_plane_policies`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{filter}
- *       \cgalParamDescription{a model of `PlacementFilter`, asked before the shell, for every place that is tried. With
- *         `std::cref()` it is not copied.}
+ *       \cgalParamDescription{a model of `PlacementFilter`, called before the shell's filter for every placement that
+ *         is tried. Pass `std::cref(filter)` to avoid a copy.}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
- *       \cgalParamDescription{a model of `EdgeCollapseSimplificationVisitor`; with `std::ref()` it is not copied. For a
- *         selected edge, the calls are `OnSelected()`, the stop predicate, the filter once for each place that is
- *         tried, `OnCollapsing()` and `OnCollapsed()`, or `OnNonCollapsable()`. As places that are too expensive are
- *         put off, `OnCollected()` may be called more than once for an edge.}
+ *       \cgalParamDescription{a model of `EdgeCollapseSimplificationVisitor`. Pass `std::ref(visitor)` to avoid a copy.
+ *         For a selected edge, the calls are `OnSelected()`, the stop predicate, the filter once for each placement
+ *         that is tried, `OnCollapsing()` and `OnCollapsed()`, or `OnNonCollapsable()`. Placements that are too
+ *         expensive are deferred, so that `OnCollected()` may be called more than once for an edge.}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{edge_is_constrained_map}
- *       \cgalParamDescription{a model of `ReadablePropertyMap`; such edges are kept, with their vertices where they
- *         are}
+ *       \cgalParamDescription{a model of `ReadablePropertyMap`. Constrained edges are kept, and their vertices do not
+ *         move.}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{protect_constraints}
- *       \cgalParamDescription{if `true`, the default, constrained edges stay one by one. If `false`, they are collapsed
- *         along themselves, as `remesh_in_shell()` does by default: a vertex where exactly two of them meet may vanish
- *         in favor of one of its neighbors on them, while ends, and vertices where more of them meet, stay where they
- *         are. What is left of a polyline connects vertices that it had, and how many edges that are,
- *         `Edit_report::constrained_edges` has. The map follows the edges; it must be a model of
- *         `ReadWritePropertyMap`. The shell bounds how far a polyline gets from the mesh, but not how far it moves
- *         along it: the costs, or a `filter`, do. A constrained edge with an edge of length zero beside it stays as
- *         long as this one does.}
+ *       \cgalParamDescription{if `true`, the default, each constrained edge is kept. If `false`, constrained edges are
+ *         collapsed along themselves, as in `remesh_in_shell()` by default. A vertex where exactly two of them meet may
+ *         vanish in favor of one of its neighbors on them. Ends, and vertices where more of them meet, do not move. The
+ *         rest of a polyline connects some of its original vertices; `Edit_report::constrained_edges` is the number of
+ *         edges. The map follows the edges; it must be a model of `ReadWritePropertyMap`. The shell bounds the distance
+ *         of a polyline from the mesh, but not its motion along the mesh; the costs or a `filter` do. A constrained
+ *         edge next to an edge of length zero is kept as long as the latter exists.}
  *       \cgalParamType{`bool`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{freeze_rejected_facets}
  *       \cgalParamDescription{if `false`, the default, a mesh with facets that are not proved to lie in the shell and
- *         to face along the gradient is refused. If `true`, these facets are frozen: none of their vertices moves or is
- *         removed, and edges with an end at one of these are not collapsed. So are the facets at a vertex whose facets
- *         are all accepted, but whose fan does not wind once. The rest is edited; see
+ *         to face along the gradient is rejected. If `true`, these facets are frozen: none of their vertices is moved
+ *         or removed, and edges with an end at one of these are not collapsed. If all facets at a vertex are accepted,
+ *         but their fan does not wind once, they are frozen, too. The other facets are edited; see
  *         `Edit_status::EDITED_EXCEPT_FROZEN`.}
  *       \cgalParamType{`bool`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{time_limit}
- *       \cgalParamDescription{seconds, after which the status is `TIME_LIMIT_EXCEEDED`, and the mesh is restored; by
- *         default, time is not limited. To keep what has been done until some time, use `stop`.}
+ *       \cgalParamDescription{seconds after which the status is `TIME_LIMIT_EXCEEDED` and the mesh is restored;
+ *         unlimited by default. To keep the collapses that were done until some time, use `stop`.}
  *       \cgalParamType{`double`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{locate_vertices}
@@ -129,24 +129,24 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{vertex_point_map}
- *       \cgalParamDescription{as in all of \cgal; read by several threads at once, unless `ConcurrencyTag` is
- *         `Sequential_tag`. If the mesh is open, the map must take new vertices: those that close the mesh while it is
- *         edited.}
+ *       \cgalParamDescription{as in other \cgal packages. It is read by several threads at once, unless
+ *         `ConcurrencyTag` is `Sequential_tag`. If the mesh is open, the map must accept new vertices, which close the
+ *         mesh during the edit.}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
  *
- * \cgalHeading{Proofs} The certificate proves what comes out. On the way, facets are proved only where an estimate from
- *   a few points leaves them in doubt, as most of them vanish again. If the certificate fails, and not because of the
- *   shell itself, the mesh is filled again with what it was, and simplified with a proof for each facet
- *   (`Edit_report::is_repeated`); a map of constrained edges says what it said, then. This is only done where it is not
- *   seen: for a `Surface_mesh` without garbage, and without visitor, filter, frozen facets, and stop predicates other
- *   than `Facet_count_stop_predicate` and `Never_stop_predicate`. Otherwise all facets are proved at once. Costs are
- *   initialized for each run, as \cgal does.
+ * \cgalHeading{Proofs} The certificate proves the result. Most facets that are created are removed later. During the
+ *   edit, facets are therefore proved only where an estimate from a few points is doubtful. If the certificate fails,
+ *   and not because of the shell itself, the mesh is restored and simplified with a proof for each facet
+ *   (`Edit_report::is_repeated`). A map of constrained edges then has its original values. This is only done where the
+ *   rollback is not observable: for a `Surface_mesh` without garbage, and without a visitor, a filter, frozen facets,
+ *   and stop predicates other than `Facet_count_stop_predicate` and `Never_stop_predicate`. Otherwise, all facets are
+ *   proved immediately. Costs are initialized for each run, as in \cgal.
  *
- * \cgalHeading{Cost} a collapse costs some points at which the field is evaluated for each facet at one vertex, or the
- *   proofs for these facets, with a bound for each cell that they pass through. The certificate costs what it costs for
- *   any mesh in the shell; a mesh that cannot be certified costs two runs. Locations cost a tree of the result's
- *   facets, and some microseconds a vertex and core.
+ * \cgalHeading{Cost} For each facet at one vertex, a collapse costs evaluations of the field at some points, or a
+ *   proof. A proof needs a bound for each cell that the facet passes through. The certificate costs as much as for any
+ *   mesh in the shell; a mesh that cannot be certified costs two runs. Locations cost a tree of the result's facets,
+ *   and a few microseconds per vertex and core.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename TriangleMesh, typename Field,
           typename Threshold, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -191,7 +191,7 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
   if(usable != Status::SUCCESS) return ended(usable);
 
   auto&& visitor = internal::argument<Silent_collapse_visitor>(np, internal_np::visitor);
-  // nobody sees a run that is undone; costs are initialized for each run
+  // A rollback is not observable; costs are initialized for each run.
   constexpr bool may_repeat = is_default_parameter<CGAL_NP_CLASS, internal_np::visitor_t>::value
                               && is_default_parameter<CGAL_NP_CLASS, internal_np::filter_t>::value
                               && (std::is_same<decltype(stop), const Never_stop_predicate>::value
@@ -226,7 +226,7 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
         const internal::Retrying_placement<Cost, Placement, Filter, Field, Rules> retrying(cost, placement, filter,
                                                                                            shell.field(), rules, state);
         static_cast<History&>(history).OnStarted(mesh);
-        // Places that cost more than what is due wait for a later run.
+        // Placements that are too expensive wait for a later run.
         for(double allowance : { 1., 16., 256., std::numeric_limits<double>::infinity() }) {
           state.allowance = allowance;
           state.has_deferred = false;

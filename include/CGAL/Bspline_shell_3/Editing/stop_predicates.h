@@ -14,7 +14,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief stops a simplification of a closed triangle mesh when it has no more facets than asked for.
+ * \brief stops the simplification of a closed triangle mesh when it has no more than the requested number of facets.
  *
  * \cgalModels `StopPredicate`
  */
@@ -36,7 +36,7 @@ private:
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief lets a simplification go on until the mesh is as coarse as the filter allows.
+ * \brief never stops a simplification: the mesh becomes as coarse as the filter allows.
  *
  * \cgalModels `StopPredicate`
  */

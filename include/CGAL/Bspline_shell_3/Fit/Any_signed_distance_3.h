@@ -21,7 +21,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief a reference to any model of `SignedDistanceOracle_3`, so that fits are compiled once for all of them.
+ * \brief a type-erased reference to a model of `SignedDistanceOracle_3`, so that fits are compiled only once.
  *
  * \cgalModels `SignedDistanceOracle_3`
  */
@@ -51,9 +51,9 @@ public:
 
   FT operator()(const Point_3& p) const { return m_at(p); }
 
-  /// the distances of points of which successive ones are near each other. That of a mesh is found faster, then: the
-  /// closest facet of one point is where the search for the next one starts.
-  /// \param[out] distances one for each point
+  /// computes the distances of points of which successive ones are close to each other. For a mesh, this is faster: the
+  /// search for each point starts at the closest facet of the previous one.
+  /// \param[out] distances one distance for each point
   void operator()(const std::vector<Point_3>& points, double* distances) const { m_along(points, distances); }
 
 private:

@@ -21,12 +21,12 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief a reference to any model of `SPDSolver`, so that fits are compiled once for all of them.
+ * \brief a type-erased reference to a model of `SPDSolver`, so that fits are compiled only once.
  *
- * Solutions are checked: if a solver returns `SUCCESS`, but its solution has another size than the right-hand side or a
- * relative residual \f$|b - Ax| / |b|\f$ of more than 1/10, the status is `Solver_status::WRONG_SOLUTION`. Zeros have a
- * residual of 1. With a residual of 1/10, at most one digit of the right-hand side is reproduced: no useful tolerance
- * is larger. A check costs about as much as one iteration of conjugate gradients.
+ * Solutions are checked. The status is `Solver_status::WRONG_SOLUTION` if a solver returns `SUCCESS`, but its solution
+ * has a wrong size or a relative residual \f$|b - Ax| / |b|\f$ of more than 1/10. The zero vector has a residual of 1.
+ * With a residual of 1/10, at most one digit of the right-hand side is reproduced: no useful tolerance is larger. A
+ * check costs about as much as one iteration of conjugate gradients.
  *
  * \cgalModels `SPDSolver`
  */
@@ -38,18 +38,18 @@ public:
 
   /// \tparam Solver a model of `SPDSolver`
   /// \param solver the solver
-  /// \param is_checked whether solutions are checked; `false` is for solvers of this package, which measure their
-  ///        residuals
+  /// \param is_checked whether solutions are checked; `false` for solvers of this package, which compute their
+  ///   residuals
   /// \pre `solver` outlives this object
   template <typename Solver>
   Any_spd_solver(Solver& solver, bool is_checked = true)
     : Any_spd_solver(solver, is_checked, std::make_shared<const Matrix*>(nullptr))
   {}
-  Any_spd_solver(Any_spd_solver&) = default; // not the template
+  Any_spd_solver(Any_spd_solver&) = default; // preferred to the template
   Any_spd_solver(const Any_spd_solver&) = default;
 
   /// \name Operations
-  /// as the concept has them
+  /// See `SPDSolver`.
   /// @{
   std::function<Solver_status(const Matrix& lower, const Unknown_blocks& blocks)> compute;
   std::function<Solver_status(const Vector& b, Vector& x)> solve;
@@ -58,7 +58,7 @@ public:
   /// @}
 
 private:
-  // `matrix` is the last one, as both operations need it
+  // `matrix` points to the last matrix, since both operations need it.
   template <typename Solver>
   Any_spd_solver(Solver& solver, bool is_checked, const std::shared_ptr<const Matrix*>& matrix)
     : compute([&solver, matrix](const Matrix& lower, const Unknown_blocks& blocks) {

@@ -22,8 +22,8 @@ namespace Bspline_shells {
  *
  * \brief supernodal Cholesky factorization with CHOLMOD, through Eigen.
  *
- * Exact up to rounding, and much slower than the default for more than some ten thousand unknowns. A program that
- * includes this header must be linked with CHOLMOD (SuiteSparse).
+ * Exact up to rounding, and much slower than the default solver for more than about ten thousand unknowns. A program
+ * that includes this header must be linked with CHOLMOD (SuiteSparse).
  *
  * \cgalModels `SPDSolver`
  */
@@ -35,18 +35,18 @@ public:
 
   Cholmod_solver()
   {
-    m_solver.cholmod().print = 0; // its messages would go to the standard output
+    m_solver.cholmod().print = 0; // otherwise, messages go to the standard output
   }
 
-  /// a copy has no matrix
+  /// constructs a solver without a matrix
   Cholmod_solver(const Cholmod_solver&) : Cholmod_solver() {}
 
-  /// \param lower the lower triangle of the matrix, which must stay as it is until the last `solve()`
+  /// \param lower the lower triangle of the matrix, which must not change until the last `solve()`
   Solver_status compute(const Matrix& lower, const Unknown_blocks& = Unknown_blocks())
   {
     m_matrix = &lower;
     m_solver.analyzePattern(lower);
-    // without a symbolic factor, which Eigen does not look at, factorize() would crash
+    // If there is no symbolic factor, which Eigen does not check, factorize() would crash.
     if(m_solver.cholmod().status < CHOLMOD_OK) return Solver_status::OUT_OF_MEMORY;
     m_solver.factorize(lower);
     if(m_solver.cholmod().status < CHOLMOD_OK) return Solver_status::OUT_OF_MEMORY;
@@ -66,7 +66,7 @@ public:
   }
 
   std::size_t iterations() const { return 1; }   ///< one solve
-  double residual() const { return m_residual; } ///< of the last `solve()`, relative
+  double residual() const { return m_residual; } ///< relative residual of the last `solve()`
 
 private:
   Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower> m_solver;

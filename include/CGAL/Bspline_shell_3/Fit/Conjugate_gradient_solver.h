@@ -27,14 +27,14 @@ namespace Bspline_shells {
  *
  * \brief conjugate gradients (Eigen) with an additive Schwarz preconditioner; the default solver.
  *
- * The preconditioner solves on overlapping blocks of neighboring functions, and reaches in tens of iterations what
- * takes thousands with the diagonal. With the default tolerance the extrema of the field on the mesh agree with those
- * of a direct solve to about 1 % of the shell's thickness. The result does not depend on the number of threads.
+ * The preconditioner solves on overlapping blocks of neighboring functions. Tens of iterations suffice, where the
+ * diagonal takes thousands. With the default tolerance, the extrema of the field on the mesh agree with those of a
+ * direct solve up to about 1 % of the shell's thickness. The result does not depend on the number of threads.
  *
  * \cgalModels `SPDSolver`
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
- * \cgalHeading{Memory} about as much as the matrix
+ * \cgalHeading{Memory} About as much as the matrix.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag>
 class Conjugate_gradient_solver
@@ -44,20 +44,20 @@ public:
   typedef Eigen::VectorXd Vector;
 
   /// \param tolerance relative residual \f$|b - Ax| / |b|\f$ at which the iteration stops
-  /// \param max_iterations gives up after so many
+  /// \param max_iterations number of iterations after which the solver gives up
   explicit Conjugate_gradient_solver(double tolerance = 1e-6, std::size_t max_iterations = 1000)
   {
     m_solver.setTolerance(tolerance);
     m_solver.setMaxIterations(Eigen::Index(max_iterations));
   }
 
-  /// a copy has the same limits, but no matrix
+  /// constructs a solver with the same limits, but without a matrix
   Conjugate_gradient_solver(const Conjugate_gradient_solver& other)
     : Conjugate_gradient_solver(other.m_solver.tolerance(), std::size_t(other.m_solver.maxIterations()))
   {}
 
-  /// \param lower the lower triangle of the matrix, which must stay as it is until the last `solve()`
-  /// \param blocks of the preconditioner; without any, it is the diagonal
+  /// \param lower the lower triangle of the matrix, which must not change until the last `solve()`
+  /// \param blocks blocks of the preconditioner; if there are none, it is the diagonal
   Solver_status compute(const Matrix& lower, const Unknown_blocks& blocks = Unknown_blocks())
   {
     m_matrix.emplace(lower);
@@ -68,7 +68,7 @@ public:
   }
 
   /// \param b the right-hand side
-  /// \param[in,out] x where the iteration starts, and the solution
+  /// \param[in,out] x the initial value of the iteration, then the solution
   Solver_status solve(const Vector& b, Vector& x)
   {
     x = m_solver.solveWithGuess(b, x).eval();
@@ -77,8 +77,8 @@ public:
     return m_solver.info() == Eigen::Success ? Solver_status::SUCCESS : Solver_status::NOT_CONVERGED;
   }
 
-  std::size_t iterations() const { return m_iterations; } ///< of the last `solve()`
-  double residual() const { return m_residual; }          ///< of the last `solve()`, relative
+  std::size_t iterations() const { return m_iterations; } ///< iterations of the last `solve()`
+  double residual() const { return m_residual; }          ///< relative residual of the last `solve()`
 
 private:
   typedef internal::Symmetric_matrix<ConcurrencyTag> Symmetric_matrix;

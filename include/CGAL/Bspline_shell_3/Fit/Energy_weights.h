@@ -14,7 +14,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief the four terms of the paper's energy, and two more.
+ * \brief the four terms of the paper's energy, and two additional ones.
  */
 enum class Energy_term
 {
@@ -22,35 +22,35 @@ enum class Energy_term
   SURFACE,          ///< squared value on the facets; not in the paper
   ANGLE,            ///< \f$E_{angle}\f$ (Eq. 4.3): squared difference of gradient and normal, on the facets
   SINGULAR_HESSIAN, ///< \f$E_{singularH}\f$ (Eq. 4.4): absolute determinant of the Hessian, in the shell
-  NORMAL,           ///< \f$E_{normal}\f$ (Eq. 4.5): squared difference of the gradient's normal part and one
-  COEFFICIENTS ///< squared difference of the coefficients and the signed distance, extended linearly from each cell;
-               ///< not in the paper
+  NORMAL,           ///< \f$E_{normal}\f$ (Eq. 4.5): squared difference of the gradient's normal component and one
+  /// squared difference of the coefficients and the signed distance, extended linearly from each cell; not in the paper
+  COEFFICIENTS
 };
 
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief weights of the terms, \f$E = E_{SDF} + \beta E_{surface} + \nu E_{normal} + \delta E_{coefficients} + \mu
+ * \brief the weights of the terms, \f$E = E_{SDF} + \beta E_{surface} + \nu E_{normal} + \delta E_{coefficients} + \mu
  * (E_{angle} + \sigma E_{singularH} + \zeta E_{normal})\f$ (Eq. 4.6, where \f$\beta = \nu = \delta = 0\f$).
  */
 struct Energy_weights
 {
   double mu = 0.1;   ///< the paper's \f$\mu\f$
   double zeta = 1e5; ///< the paper's \f$\zeta\f$
-  /// \f$\sigma\f$: 1 in the paper. By default the term is left out: it does not exclude critical points, takes most of
-  ///   the time, and thickens the shell at corners.
+  /// \f$\sigma\f$: 1 in the paper. By default, the term is omitted: it does not exclude critical points, takes most of
+  /// the time, and thickens the shell at corners.
   double singular_hessian = 0;
-  /// \f$\beta\f$: the squared value of the field on the mesh, per cell unit of area; 0 in the paper. It thins the
-  ///   shell.
+  /// \f$\beta\f$: the weight of the squared value of the field on the mesh, per cell unit of area; 0 in the paper. It
+  /// makes the shell thinner.
   double surface = 0;
-  /// \f$\nu\f$: \f$E_{normal}\f$ without \f$E_{angle}\f$; 0 in the paper. Where the surface term keeps the field from
-  ///   varying along the facets, what \f$E_{angle}\f$ adds is little, and half of the work.
+  /// \f$\nu\f$: the weight of \f$E_{normal}\f$ without \f$E_{angle}\f$; 0 in the paper. Where the surface term keeps
+  /// the field from varying along facets, \f$E_{angle}\f$ adds little, but takes half of the work.
   double normal = 0;
-  /// \f$\delta\f$: 0 in the paper. Functions that reach into the domain by a corner only are hardly determined by the
-  ///   other terms; a small weight lets the field go on smoothly there, and solvers converge faster.
+  /// \f$\delta\f$: 0 in the paper. Functions that reach into the domain at a corner only are poorly determined by the
+  /// other terms. A small weight continues the field smoothly there, and solvers converge faster.
   double coefficients = 0;
 
-  /// Records the first weight that is negative or not finite.
+  /// records the first weight that is negative or not finite
   void check(Invalid_parameter& invalid) const
   {
     const Parameter_bounds allowed = Parameter_bounds::not_negative();
@@ -62,7 +62,7 @@ struct Energy_weights
     invalid.check("energy_weights.coefficients", coefficients, allowed);
   }
 
-  /// all four terms, as in the paper
+  /// returns the weights of the paper, with all four terms
   static Energy_weights paper()
   {
     Energy_weights weights;

@@ -37,16 +37,16 @@ namespace Bspline_shells {
  *
  * \brief the paper's energy of a field, as a function of its coefficients.
  *
- * On each cell it is measured in *cell units*, lengths and values divided by the cell's width, so that cells of all
- * sizes count alike. There, with the paper's lengths measured in units of the mesh's longest box side and \f$\gamma\f$
- * cells per unit, the energy divided by the squared width is
+ * On each cell, the energy is measured in *cell units*: lengths and values are divided by the cell's width, so that
+ * cells of all sizes have equal weight. The paper's lengths are in units of the longest side of the mesh's bounding
+ * box, with \f$\gamma\f$ cells per unit. The energy divided by the squared width is then
  * \f[ \sum_p (F - D)^2 + \beta \int F^2 + \nu \int (\nabla F \cdot n - 1)^2
  *     + \delta \sum_p \sum_i B_i(p) (x_i - D_c(a_i))^2 + \mu \left( \int |\nabla F - n|^2 + \sigma \gamma^2 \int |\det
  *     H_F| + \zeta \int (\nabla F \cdot n - 1)^2 \right) . \f]
- * All member functions speak of this quotient; coefficients are those of the field divided by the width of root cells.
- * \f$D_c\f$ is the linear function next to the samples in the cell of \f$p\f$, and \f$a_i\f$ the middle of the support
- *   of \f$B_i\f$. Surface integrals use quadrature on the clipped mesh, volume integrals the midpoints of eighths of
- *   cells.
+ * All member functions use this quotient. Coefficients are those of the field divided by the width of root cells.
+ * \f$D_c\f$ is the linear function closest to the samples in the cell of \f$p\f$, and \f$a_i\f$ is the center of the
+ * support of \f$B_i\f$. Surface integrals use quadrature on the clipped mesh; volume integrals use the centers of the
+ * eighths of cells.
  *
  * \tparam Field a model of `FittableBsplineField_3`
  */
@@ -61,16 +61,17 @@ class Fit_energy
 public:
   typedef Eigen::VectorXd Vector;
 
-  /// how many unknowns there can be: a column of the lower triangle has at most 172 entries, which `int`s number
+  /// the largest number of unknowns: a column of the lower triangle has at most 172 entries, which are numbered by
+  /// `int`s
   static constexpr std::size_t max_number_of_unknowns = std::size_t(std::numeric_limits<int>::max()) / 172;
 
-  /// \param field gives cells and functions; its coefficients are not looked at
-  /// \param samples the signed distance at the samples of all cells, user units (`sample_signed_distance()`)
-  /// \param clipped the mesh, cut by the field's cells; the samples grow the way its facets face
-  /// \param gamma number of cells per unit of length of the paper
-  /// \param weights of the terms
-  /// \pre field, samples and clipped mesh outlive this object; the field has all cells that the clipped mesh has pieces
-  ///   in, and at most `max_number_of_unknowns` coefficients
+  /// \param field the cells and functions; its coefficients are not used
+  /// \param samples the signed distance at the samples of all cells (`sample_signed_distance()`), user units
+  /// \param clipped the mesh, clipped to the field's cells; its facets face the direction in which the samples increase
+  /// \param gamma number of cells per the paper's unit of length
+  /// \param weights the weights of the terms
+  /// \pre field, samples and clipped mesh outlive this object; the field contains all cells with pieces of the clipped
+  ///   mesh, and has at most `max_number_of_unknowns` coefficients
   Fit_energy(const Field& field, const std::vector<double>& samples, const Clipped_mesh_3& clipped, double gamma,
              const Energy_weights& weights)
     : m_field(field), m_samples(samples), m_clipped(clipped), m_weights(weights), m_gamma(gamma), m_colors(field)
@@ -87,7 +88,7 @@ public:
     find_pieces();
   }
 
-  /// the weight of a term in cell units
+  /// returns the weight of a term in cell units
   double weight(Energy_term term) const
   {
     switch(term) {
@@ -101,11 +102,11 @@ public:
     return 0;
   }
 
-  /// how much more than elsewhere the term `SURFACE` counts in each cell; without that, alike in all
+  /// sets the factor on the weight of the term `SURFACE` in each cell; by default, all factors are 1
   void set_surface_factors(std::vector<float> factors) { m_surface_factors = std::move(factors); }
 
-  /// where \f$E_{singularH}\f$ is integrated: the cells that have a sample with \f$\epsilon_1 \le F \le \epsilon_2\f$
-  /// for the field `x` (both divided by the width of root cells). Until it is called, the term is zero.
+  /// sets the domain of \f$E_{singularH}\f$: the cells that have a sample with \f$\epsilon_1 \le F \le \epsilon_2\f$
+  /// for the field `x` (both divided by the width of root cells). Before the first call, the term is zero.
   void set_singular_hessian_domain(const Vector& x, double eps1, double eps2)
   {
     m_hessian_domain.assign(m_field.number_of_cells(), 0);
@@ -122,7 +123,8 @@ public:
     }
   }
 
-  /// least and largest value of the field `x` at the quadrature points of the mesh, divided by the width of root cells
+  /// returns the least and largest value of the field `x` at the quadrature points of the mesh, divided by the width of
+  /// root cells
   std::pair<double, double> range_on_mesh(const Vector& x) const
   {
     std::pair<double, double> range(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
@@ -140,8 +142,9 @@ public:
     return range;
   }
 
-  /// A field near the signed distance: each coefficient is the mean of what the leaves of its level around it extend to
-  /// the middle of its function. On cells of one size, these minimize the term `COEFFICIENTS`.
+  /// returns a field close to the signed distance. Each coefficient is the mean of the samples of the surrounding
+  /// leaves of its level, extended linearly to the center of its function. On cells of one size, these coefficients
+  /// minimize the term `COEFFICIENTS`.
   template <typename ConcurrencyTag = Sequential_tag>
   Vector initial_guess() const
   {
@@ -158,7 +161,7 @@ public:
     return guess;
   }
 
-  /// the weighted term at `x`
+  /// returns the weighted term at `x`
   template <typename ConcurrencyTag = Sequential_tag>
   double value(Energy_term term, const Vector& x) const
   {
@@ -176,7 +179,7 @@ public:
     return weight(term) * std::accumulate(sums.begin(), sums.end(), 0.);
   }
 
-  /// the sum of the weighted terms at `x`
+  /// returns the sum of the weighted terms at `x`
   template <typename ConcurrencyTag = Sequential_tag>
   double value(const Vector& x) const
   {
@@ -187,7 +190,7 @@ public:
     return sum;
   }
 
-  /// the derivatives of the weighted term with respect to the coefficients (of \f$|\det H|\f$: a subgradient)
+  /// returns the derivatives of the weighted term with respect to the coefficients (for \f$|\det H|\f$, a subgradient)
   Vector gradient(Energy_term term, const Vector& x) const
   {
     const Vector points = m_field.extend(x);
@@ -210,7 +213,7 @@ public:
   /// @{
   typedef Eigen::SparseMatrix<double> Matrix;
 
-  /// The quadratic terms are \f$x^T A x - 2 b^T x + const\f$: writes the lower triangle of \f$A\f$, and \f$b\f$.
+  /// assembles the quadratic terms \f$x^T A x - 2 b^T x + const\f$: the lower triangle of \f$A\f$, and \f$b\f$
   template <typename ConcurrencyTag>
   void assemble(Matrix& A, Vector& b) const
   {
@@ -223,8 +226,8 @@ public:
     });
   }
 
-  /// The same for some unknowns, while the others keep the values that they have in `x`: entries of \f$A\f$ and \f$b\f$
-  /// for others are zero. Costs what the cells cost that these act on.
+  /// assembles the quadratic terms for some unknowns, while the others keep their values in `x`. Entries of \f$A\f$ and
+  /// \f$b\f$ for the others are zero. The cost is that of the cells on which the unknowns act.
   template <typename ConcurrencyTag>
   void assemble(const Fitted_part& part, const Vector& x, Matrix& A, Vector& b) const
   {
@@ -239,14 +242,14 @@ public:
       rhs -= local.template selfadjointView<Eigen::Lower>() * Eigen::Map<const Local_vector>(at_x.data());
       return true;
     });
-    // the residual, and what the unknowns have to do with it
+    // Convert the right-hand side from changes of the unknowns to their values.
     for(Eigen::Index u = 0; u < b.size(); ++u)
       if(!part.coefficients[std::size_t(u)]) b[u] = 0;
     b += A.template selfadjointView<Eigen::Lower>() * x;
   }
 
-  /// Adds the Gauss-Newton matrix and right-hand side of \f$E_{singularH}\f$ linearized at `x`: of
-  /// \f$\int (\det H)^2 / \max(|\det H|, \eta)\f$, whose value is the term's where \f$|\det H| \ge \eta\f$.
+  /// adds the Gauss-Newton matrix and right-hand side of \f$E_{singularH}\f$, linearized at `x`: those of \f$\int (\det
+  /// H)^2 / \max(|\det H|, \eta)\f$, which equals the term where \f$|\det H| \ge \eta\f$
   template <typename ConcurrencyTag>
   void add_singular_hessian(const Vector& x, double eta, Matrix& A, Vector& b) const
   {
@@ -271,14 +274,15 @@ public:
       matrix.template selfadjointView<Eigen::Lower>().rankUpdate(rows);
       return true;
     });
-    // both have the same pattern
+    // Both matrices have the same pattern.
     Eigen::Map<Vector>(A.valuePtr(), A.nonZeros()) += Eigen::Map<const Vector>(more.valuePtr(), more.nonZeros());
     b += more_rhs;
   }
   /// @}
 
 private:
-  // the equations of matrices of cells: of local(c, matrix, rhs), where it returns true; for chosen points, or all
+  // Assembles the equations of all points, or of chosen ones, from the matrices of cells for which local(c, matrix,
+  // rhs) returns true.
   template <typename ConcurrencyTag, typename Local>
   void assemble_cells(const std::vector<char>* chosen, Matrix& A, Vector& b, const Local& local) const
   {
@@ -296,7 +300,7 @@ private:
     internal::condense<ConcurrencyTag>(m_field, equations, all, all_rhs, A, b);
   }
 
-  // root cells per cell: what turns coefficients into those of cell units
+  // Returns the factor that converts coefficients to cell units: root cells per cell, along an axis.
   double scale(Cell_index c) const { return double(1 << m_field.cells().level(c)); }
 
   void find_pieces()
@@ -306,8 +310,8 @@ private:
     for(std::size_t c = 0; c + 1 < m_first_piece.size(); ++c) m_first_piece[c + 1] += m_first_piece[c];
   }
 
-  // calls f(position in the cell, share of the area in cell units, facet) for the quadrature points on the mesh in a
-  // cell
+  // Calls f(position in the cell, share of the area in cell units, facet) for the quadrature points on the mesh in a
+  // cell.
   template <typename Function>
   void for_each_surface_point(Cell_index c, const Function& f) const
   {
@@ -337,7 +341,7 @@ private:
     return v;
   }
 
-  // the derivatives of all 64 functions along a direction
+  // Returns the derivatives of all 64 functions along a direction.
   static Local_vector directional_row(const internal::Basis_jet<double, 2>& basis,
                                       const std::array<double, 3>& direction)
   {
@@ -365,7 +369,7 @@ private:
     return internal::contract(local.data(), b[0], b[1], b[2]);
   }
 
-  // the coefficients that act on a cell, in cell units, from those at all points
+  // Returns the coefficients that act on a cell, in cell units, from the coefficients at all points.
   std::array<double, 64> gather(const Vector& points, Cell_index c) const
   {
     const std::array<Cell_index, 16> rows = m_field.coefficient_rows(c);
@@ -376,7 +380,7 @@ private:
     return local;
   }
 
-  // the transposed
+  // The transpose of gather().
   void scatter(const Local_vector& local, Cell_index c, Vector& points) const
   {
     const std::array<Cell_index, 16> rows = m_field.coefficient_rows(c);
@@ -394,7 +398,8 @@ private:
     return m_samples[std::size_t(c) * Distance_samples::per_cell + s] / m_field.cells().width(c);
   }
 
-  // the determinant of the Hessian at a sample and, if asked for, its derivative by the 64 coefficients
+  // Returns the determinant of the Hessian at a sample and, if `row` is not null, its derivative by the 64
+  // coefficients.
   double hessian_determinant(const std::array<double, 64>& local, int s, Local_vector* row) const
   {
     const internal::Basis_jet<double, 3>& basis = m_sample_basis[s];
@@ -411,8 +416,8 @@ private:
     return xx * cxx + xy * cxy + xz * cxz;
   }
 
-  // Calls visit(residual, weight, row) for the residuals of a term in a cell; row() is the residual's derivative by the
-  // cell's 64 coefficients in cell units.
+  // Calls visit(residual, weight, row) for the residuals of a term in a cell; row() is the derivative of the residual
+  // by the cell's 64 coefficients in cell units.
   template <typename Visitor>
   void visit_residuals(Energy_term term, const Vector& points, Cell_index c, const Visitor& visit) const
   {
@@ -475,8 +480,8 @@ private:
     }
   }
 
-  // The signed distance at the middles of the supports of the 64 functions, in cell units: that of the linear function
-  // next to the samples, which are at the corners of a cube with sides of one half.
+  // Returns the signed distance at the centers of the supports of the 64 functions, in cell units: that of the linear
+  // function closest to the samples, which are the corners of a cube with sides of 1/2.
   Local_vector extended_samples(Cell_index c) const
   {
     constexpr int n = Distance_samples::per_cell;
@@ -495,7 +500,7 @@ private:
     return extended;
   }
 
-  // of the terms of all cells alike: DISTANCE and COEFFICIENTS
+  // Returns the matrix of the terms that are equal in all cells: DISTANCE and COEFFICIENTS.
   Local_matrix sample_matrix() const
   {
     Local_matrix m = Local_matrix::Zero();
@@ -515,8 +520,8 @@ private:
     if(w > 0) rhs += w * m_share.cwiseProduct(extended_samples(c));
   }
 
-  // E_surface; E_angle and E_normal: in a frame (n, u, v) of the facet, (nu + mu (1 + zeta)) (n . grad - 1)^2 + mu (u .
-  // grad)^2 + mu (v . grad)^2
+  // Adds E_surface, E_angle and E_normal. In a frame (n, u, v) of the facet, the latter two are
+  //   (nu + mu (1 + zeta)) (n . grad - 1)^2 + mu (u . grad)^2 + mu (v . grad)^2
   void add_surface_terms(Cell_index c, Local_matrix& matrix, Local_vector& rhs) const
   {
     constexpr int batch = 24;
@@ -549,7 +554,7 @@ private:
     if(used > 0) flush();
   }
 
-  // completes frame[0], a unit vector, to an orthonormal frame
+  // Completes the unit vector frame[0] to an orthonormal frame.
   static void tangent_frame(std::array<double, 3>* frame)
   {
     const Eigen::Map<const Eigen::Vector3d> n(frame[0].data());
@@ -565,8 +570,8 @@ private:
   double m_gamma;
   internal::Cell_colors<Field> m_colors;
   std::array<internal::Basis_jet<double, 3>, Distance_samples::per_cell> m_sample_basis;
-  Local_vector m_share;                   // of the 64 functions in the samples of a cell
-  std::vector<std::size_t> m_first_piece; // of each cell, and the end
+  Local_vector m_share;                   // sum of each of the 64 functions over the samples of a cell
+  std::vector<std::size_t> m_first_piece; // first piece of each cell, and the end
   std::vector<char> m_hessian_domain;     // by cell, or empty
   std::vector<float> m_surface_factors;   // by cell, or empty
 };

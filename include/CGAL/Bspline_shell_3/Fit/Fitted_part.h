@@ -18,20 +18,20 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief the free coefficients that act on some cells, which are to be fitted while all others keep their values.
+ * \brief the free coefficients that act on some cells and are fitted, while all others keep their values.
  */
 struct Fitted_part
 {
-  std::vector<char> coefficients;  ///< by free coefficient: whether it is one of them
-  std::vector<char> points;        ///< by point: whether its coefficient is one of them, or depends on one
-  std::vector<char> cells;         ///< by cell: whether one of them acts on it
-  std::size_t number_of_cells = 0; ///< on which one of them acts
+  std::vector<char> coefficients;  ///< for each free coefficient, whether it is fitted
+  std::vector<char> points;        ///< for each point, whether its coefficient is fitted or depends on a fitted one
+  std::vector<char> cells;         ///< for each cell, whether a fitted coefficient acts on it
+  std::size_t number_of_cells = 0; ///< number of cells on which a fitted coefficient acts
 
   Fitted_part() = default;
 
-  /// linear in the size of the field
+  /// selects the coefficients that act on the chosen cells; linear in the size of the field
   /// \tparam Field `Hierarchical_bspline_field_3`
-  /// \param field gives cells and functions; its coefficients are not looked at
+  /// \param field the cells and functions; its coefficients are not used
   /// \param chosen the cells
   template <typename Field>
   Fitted_part(const Field& field, const std::vector<std::uint32_t>& chosen)

@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Fit
-/// \brief tuned numbers of `enforce_slopes()`. They affect time, and which conditions can be met; no proof depends on
+/// \brief tuned numbers of `Slope_enforcement`. They affect time, and which conditions can be met; no proof depends on
 /// them.
 struct Slope_tuning
 {
@@ -24,16 +24,16 @@ struct Slope_tuning
   std::size_t few_violated_cells = 64;
   /// Largest number of unknowns in a patch: its dense matrix is factorized.
   std::size_t max_unknowns = 500;
-  /// Number of times that violated conditions are added to those of a patch, and how many conditions it may have, and
-  /// get at once.
+  /// Number of times that violated conditions are added to those of a patch, its largest number of conditions, and the
+  /// largest number of conditions that are added at once.
   int max_exchanges = 8;
   std::size_t max_rows = 160, max_new_rows = 32;
-  /// Fraction of the worst violation that a patch must not leave; otherwise it is not tried again.
+  /// If a patch leaves more than this fraction of its worst violation, it is not tried again.
   double violation_left = 0.5;
-  /// Largest multiplier of a condition. The weights of the energy make one near ten; if conditions contradict each
-  /// other, multipliers grow without bound.
+  /// Largest multiplier of a condition. With the weights of the energy, multipliers are typically about ten; if
+  /// conditions contradict each other, they grow without bound.
   double largest_multiplier = 100;
-  /// Fraction by which solutions aim beyond what is wanted, as they are not exact.
+  /// Fraction by which solutions aim beyond the required values, as they are not exact.
   double excess = 0.05;
   /// Number of sweeps over the multipliers, and the change of slopes at which they end.
   int max_dual_sweeps = 100;

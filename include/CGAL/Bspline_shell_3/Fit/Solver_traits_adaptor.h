@@ -20,10 +20,10 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief solves with the solver traits of \cgal, such as `Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix> >`.
+ * \brief adapts the solver traits of \cgal, such as `Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix> >`.
  *
- * The traits get a copy of the whole matrix, and a new vector for each right-hand side; they factorize for each of
- * them.
+ * The traits receive a copy of the whole matrix, and a new vector for each right-hand side. They factorize the matrix
+ * for each right-hand side.
  *
  * \cgalModels `SPDSolver`
  *
@@ -38,7 +38,7 @@ public:
 
   explicit Solver_traits_adaptor(const SolverTraits& traits = SolverTraits()) : m_traits(traits) {}
 
-  /// \param lower the lower triangle of the matrix, which must stay as it is until the last `solve()`
+  /// \param lower the lower triangle of the matrix, which must not change until the last `solve()`
   Solver_status compute(const Matrix& lower, const Unknown_blocks& = Unknown_blocks())
   {
     m_lower = &lower;
@@ -60,7 +60,7 @@ public:
     const int size = int(b.size());
     typename SolverTraits::Vector right(size), solution(size);
     for(int n = 0; n < size; ++n) right[n] = b[n];
-    double denominator = 1; // of homogeneous solutions
+    double denominator = 1; // used by homogeneous solutions
     if(!m_traits.linear_solver(*m_matrix, right, solution, denominator)) return Solver_status::NOT_CONVERGED;
     x.resize(size);
     for(int n = 0; n < size; ++n) x[n] = solution[n] / denominator;
@@ -71,7 +71,7 @@ public:
   }
 
   std::size_t iterations() const { return 1; }   ///< one solve
-  double residual() const { return m_residual; } ///< of the last `solve()`, relative
+  double residual() const { return m_residual; } ///< relative residual of the last `solve()`
 
 private:
   SolverTraits m_traits;

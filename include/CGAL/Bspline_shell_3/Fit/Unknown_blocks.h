@@ -19,13 +19,13 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief sets of unknowns that are strongly coupled among each other. They overlap, and cover all unknowns.
+ * \brief sets of unknowns that are strongly coupled to each other. They overlap, and cover all unknowns.
  */
 struct Unknown_blocks
 {
   /// the unknowns of all blocks, one block after the other, in ascending order within a block
   std::vector<std::uint32_t> unknowns;
-  /// where each block begins in `unknowns`, and the end
+  /// first position of each block in `unknowns`, and the end
   std::vector<std::size_t> first = { 0 };
 
   std::size_t size() const { return first.size() - 1; }
@@ -34,9 +34,9 @@ struct Unknown_blocks
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief blocks of the free coefficients of a field: of each level, those in cubes of five lattice points a side, which
- * overlap their neighbors by two. Linear in the number of coefficients, of which each is in up to eight blocks, 4.6 on
- * average in the plane.
+ * \brief returns blocks of the free coefficients of a field: for each level, those in cubes of five lattice points per
+ * side, which overlap their neighbors by two. Linear in the number of coefficients. Each of them is in up to eight
+ * blocks, and in 4.6 on average.
  *
  * \tparam Field a model of `FittableBsplineField_3`
  */

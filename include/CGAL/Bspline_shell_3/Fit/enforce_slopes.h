@@ -39,51 +39,53 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief the condition that a field increases along a direction at a point, \f$d \cdot \nabla f \ge \delta\f$, and that
- * it is near zero there.
+ * \brief a condition on a field at a point: it increases along a direction, \f$d \cdot \nabla f \ge \delta\f$, and is
+ * near zero.
  */
 struct Slope_condition
 {
   std::uint32_t cell;              ///< leaf cell of the field
-  std::uint32_t facet;             ///< whose normal the direction is, for reports
-  std::array<double, 3> position;  ///< in the cell, in [0, 1]^3
+  std::uint32_t facet;             ///< facet that has the direction as its normal, for reports
+  std::array<double, 3> position;  ///< position in the cell, in [0, 1]^3
   std::array<double, 3> direction; ///< unit vector
   double least;                    ///< \f$\delta\f$, per user unit
-  /// that \f$|f|\f$ may be there, in units of the width of root cells
+  /// largest \f$|f|\f$ at the point, in units of the width of root cells
   double largest = std::numeric_limits<double>::infinity();
 };
 
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief how `enforce_slopes()` went.
+ * \brief statistics of `Slope_enforcement`.
  */
 struct Slope_report
 {
-  std::size_t violated_before = 0; ///< cells with a violated condition
-  std::size_t patches = 0;         ///< systems that were solved
-  bool enforced = true;            ///< `false` if there were too many
-  /// at the end: cells with a condition that no small change of the field meets
+  std::size_t violated_before = 0; ///< number of cells with a violated condition
+  std::size_t patches = 0;         ///< number of systems that were solved
+  bool enforced = true;            ///< `false` if too many cells were violated
+  /// cells with a condition that is still violated at the end, ascending
   std::vector<std::uint32_t> violated_cells;
-  std::vector<std::uint32_t> violated_facets; ///< of the worst condition in each of them
-  /// where the field is another one, among those with conditions; ascending
+  std::vector<std::uint32_t> violated_facets; ///< facet of the worst condition in each of these cells
+  /// cells with conditions in which the field has changed, ascending
   std::vector<std::uint32_t> changed_cells;
 };
 
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief changes the minimizer of a quadratic energy, where conditions on its slope or its size are violated, to the
- * best one that meets them.
+ * \brief changes the minimizer of a quadratic energy, where conditions on its slope or size are violated, to the best
+ * field that meets them.
  *
- * Violations are local, and so is the work: around the worst violated cell, the coefficients that act on the cell and
- * its neighbors are freed and all others kept. The energy plus \f$\Lambda \sum_i \max(0, \delta_i - g_i \cdot x)\f$ is
- * minimized over them through its dual, a quadratic program in one multiplier \f$0 \le \lambda_i \le \Lambda\f$ for
- * each condition. The bound makes it elastic: conditions that contradict each other get the multiplier \f$\Lambda\f$
- * and stay violated, and nothing diverges. The program starts with the violated conditions; those that its solution
- * violates are added until there is none. Patches are solved one after the other, worst first, in a few sweeps, and at
- * once where their functions are apart; as most wait for another one, each is solved by several threads. A cell whose
- * patch did not help is not tried again, unless conditions are added.
+ * Violations are local, and so are the changes. Around the worst violated cell, the coefficients that act on the cell
+ * and its neighbors are freed, and all others are kept. The energy plus \f$\Lambda \sum_i \max(0, \delta_i - g_i \cdot
+ * x)\f$ is minimized over these coefficients. This is done through its dual, a quadratic program with one multiplier
+ * \f$0 \le \lambda_i \le \Lambda\f$ for each condition. The bound makes the program elastic: conditions that contradict
+ * each other get the multiplier \f$\Lambda\f$ and stay violated, and nothing diverges. The program starts with the
+ * violated conditions. Conditions that its solution violates are added until there are none.
+ *
+ * Patches are solved one after the other, worst first, in a few sweeps. Patches with disjoint supports are solved in
+ * parallel. As most patches wait for another one, each patch is also solved by several threads. A cell whose patch did
+ * not help is not tried again, unless conditions are added.
  *
  * \tparam Field `Hierarchical_bspline_field_3`
  */
@@ -96,11 +98,11 @@ class Slope_enforcement
   static constexpr Index npos = Field::npos;
 
 public:
-  /// \param field gives cells and functions; its coefficients are not looked at
-  /// \param A lower triangle of the energy's matrix, \f$x^T A x - 2 b^T x\f$; coefficients whose columns are empty keep
-  ///   their values
+  /// \param field the cells and functions; its coefficients are not used
+  /// \param A lower triangle of the matrix of the energy \f$x^T A x - 2 b^T x\f$; coefficients whose columns are empty
+  ///   keep their values
   /// \param b right-hand side
-  /// \pre all of them outlive this object; functions with an entry in common have supports that meet
+  /// \pre the arguments outlive this object; functions with a common entry have intersecting supports
   Slope_enforcement(const Field& field, const Matrix& A, const Vector& b) : m_field(field), m_A(A), m_b(b)
   {
     m_first.assign(field.number_of_cells() + 1, 0);
@@ -132,17 +134,18 @@ public:
     for(std::size_t c = 0; c + 1 < m_first.size(); ++c) m_first[c + 1] += m_first[c];
   }
 
-  /// \param[in,out] x coefficients in units of the width of root cells (`Fit_energy`); those that the last call left,
-  ///   if there was one
-  /// \param most_violated nothing is changed if more cells have violated conditions: they are no local affair. Nor are
-  ///   they if a sweep leaves most of many.
+  /// changes the field where conditions are violated
+  /// \param[in,out] x coefficients in units of the width of root cells (`Fit_energy`); after the first call, the result
+  ///   of the last one
+  /// \param most_violated if more cells are violated, the field is left unchanged: the problem is not local. If a sweep
+  ///   leaves most of many violated cells, it is the last one.
   template <typename ConcurrencyTag = Sequential_tag>
   Slope_report operator()(Vector& x, std::size_t most_violated = std::numeric_limits<std::size_t>::max())
   {
     Slope_report report;
     if(m_points.size() == 0) m_points = m_field.template extend<ConcurrencyTag>(x);
     m_changed.assign(m_field.number_of_cells(), 0);
-    std::size_t violated_before = 0; // the sweep
+    std::size_t violated_before = 0; // violated cells before the last sweep
     for(int sweep = 0; sweep < slope_tuning.max_sweeps; ++sweep) {
       find_slacks<ConcurrencyTag>();
       std::vector<std::pair<double, Index> > violated; // worst first
@@ -175,7 +178,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t cells_at_once = 8, columns_at_once = 16; // for a thread
+  static constexpr std::size_t cells_at_once = 8, columns_at_once = 16; // per thread
 
   double scale(Index c) const { return double(1 << m_field.cells().level(c)); }
 
@@ -185,7 +188,7 @@ private:
   static constexpr int numbers = 3;
   typedef std::array<double, numbers> Slacks;
 
-  // the derivative of such a number by the 64 coefficients of the cell, which are in root units
+  // Returns the derivative of such a number by the 64 coefficients of the cell, which are in root units.
   std::array<double, 64> local_row(const Slope_condition& condition, int number) const
   {
     std::array<std::array<double, 4>, 3> value, slope;
@@ -208,7 +211,7 @@ private:
     return row;
   }
 
-  // these numbers, for 64 coefficients of the condition's cell
+  // Returns these numbers for 64 coefficients of the condition's cell.
   Slacks evaluate(const Slope_condition& condition, const double* local) const
   {
     internal::Basis_jet<double, 2> basis;
@@ -221,8 +224,8 @@ private:
     return { scale(condition.cell) * internal::dot(g, d), jet.value, -jet.value };
   }
 
-  // what 64 coefficients change of these numbers in a cell, at most: values lie in the hull of the coefficients, and
-  // first derivatives in that of their differences
+  // Returns bounds on the changes of these numbers in a cell if its 64 coefficients change by `local`. Values lie in
+  // the convex hull of the coefficients, and first derivatives in that of their differences.
   static Slacks largest_changes(const double* local, double scale)
   {
     double value = 0, squared = 0;
@@ -241,7 +244,7 @@ private:
     return number == 0 ? condition.least : -condition.largest;
   }
 
-  // calls visit(condition, slacks), by how much the numbers exceed their bounds, for the conditions in a cell
+  // Calls visit(condition, slacks) for the conditions in a cell. Slacks are the numbers minus their bounds.
   template <typename Visitor>
   void visit_slacks(Index c, const Visitor& visit) const
   {
@@ -256,7 +259,7 @@ private:
     }
   }
 
-  // the least slack in a cell, and the first condition that has it
+  // Returns the least slack in a cell, and the first condition with it.
   std::pair<double, std::size_t> least_slack(Index c) const
   {
     std::pair<double, std::size_t> least(std::numeric_limits<double>::infinity(), m_first[c]);
@@ -279,7 +282,7 @@ private:
     });
   }
 
-  // a cell that unknowns of a patch act on, and how they do
+  // A cell on which unknowns of a patch act, with their weights.
   struct Patch_cell
   {
     struct Entry
@@ -290,10 +293,10 @@ private:
 
     Index cell;
     std::vector<Entry> entries;
-    std::vector<Slacks> before;                   // by condition, made when they are needed
-    std::vector<std::array<char, numbers> > used; // in the program
+    std::vector<Slacks> before;                   // by condition, computed on demand
+    std::vector<std::array<char, numbers> > used; // by condition: which numbers are in the program
 
-    // of its 64 coefficients
+    // Returns the changes of the cell's 64 coefficients.
     std::array<double, 64> change(const Vector& step) const
     {
       std::array<double, 64> local = {};
@@ -302,18 +305,19 @@ private:
     }
   };
 
-  // of each coefficient, among the unknowns of the last patch that it was in
+  // For each coefficient, its place among the unknowns of the last patch that contained it.
   typedef std::vector<std::atomic<int> > Places;
 
-  // what is freed around a cell
+  // The unknowns that are free around a cell.
   struct Patch
   {
     Index center;
     std::vector<int> unknowns; // ascending
-    Bbox_3 reach;              // of their functions
-    Vector step;               // of the unknowns; empty if the patch was not solved
+    Bbox_3 reach;              // bounding box of the supports of their functions
+    Vector step;               // step of the unknowns; empty if the patch was not solved
 
-    // of a coefficient among the unknowns, or -1: then another patch may be writing its place
+    // Returns the place of a coefficient among the unknowns, or -1. In the latter case, another patch may be writing
+    // the place.
     int place(Index u, const Places& places) const
     {
       const int p = places[u].load(std::memory_order_relaxed);
@@ -321,12 +325,12 @@ private:
     }
   };
 
-  // Solves the patches of cells one after the other, those at once that have nothing to do with each other. Returns how
-  // many were solved.
+  // Solves the patches of cells one after the other, and patches with disjoint supports in parallel. Returns the number
+  // of solved patches.
   template <typename ConcurrencyTag>
   std::size_t solve_patches(const std::vector<std::pair<double, Index> >& cells, Vector& x)
   {
-    constexpr std::size_t window = 64; // patches that are looked at
+    constexpr std::size_t window = 64; // number of patches that are considered
     std::size_t solved = 0;
     Places places(std::size_t(x.size()));
     std::list<Patch> waiting;
@@ -341,7 +345,7 @@ private:
         }
       internal::for_each_chunk<ConcurrencyTag>(batch.size(), 1,
                                                [&](std::size_t n, std::size_t) { find_unknowns(*batch[n]); });
-      // those that no earlier one reaches, done or not: the order is kept where it makes a difference
+      // Select the patches that no earlier patch reaches, solved or not: the order is kept where it matters.
       batch.clear();
       reaches.clear();
       for(Patch& p : waiting) {
@@ -361,7 +365,7 @@ private:
     return solved;
   }
 
-  // all that acts on a cell and its neighbors, or, where these are many smaller ones, on the cell
+  // Finds the unknowns that act on a cell and its neighbors, or, if these are too many, on the cell alone.
   void find_unknowns(Patch& patch) const
   {
     const Bbox_3 b = m_field.cell(patch.center).bbox();
@@ -386,8 +390,8 @@ private:
     for(int u : unknowns) patch.reach += m_field.support(Index(u));
   }
 
-  // Finds the step, if the cell still needs one, and what it means for the cells with conditions. Where reaches are
-  // apart, so is all that this reads and writes: a cell lies in the support of each function that acts on it.
+  // Computes the step, if the cell still needs one, and updates the cells with conditions. If patches have disjoint
+  // reaches, they read and write disjoint data: a cell lies in the support of each function that acts on it.
   template <typename ConcurrencyTag>
   void solve_patch(Patch& patch, const Vector& x, Places& places)
   {
@@ -403,7 +407,7 @@ private:
     const Eigen::LLT<Eigen::MatrixXd> factor(H);
     if(factor.info() == Eigen::Success) {
       patch.step = minimize<ConcurrencyTag>(cells, factor, r);
-      // points are shared by cells: read all before any is written
+      // Cells share points: read all before any is written.
       std::vector<std::pair<Index, double> > moved;
       for(const Patch_cell& cell : cells) {
         m_changed[cell.cell] = 1;
@@ -420,7 +424,7 @@ private:
     m_hopeless[patch.center] = least_slack(patch.center).first < slope_tuning.violation_left * slack_before;
   }
 
-  // those that the unknowns of a patch act on
+  // Returns the cells with conditions on which the unknowns of a patch act.
   template <typename ConcurrencyTag>
   std::vector<Patch_cell> cells_with_conditions(const Patch& patch, const Places& places)
   {
@@ -446,7 +450,7 @@ private:
       });
   }
 
-  // the unknowns' part of the matrix, its lower triangle, and of the residual
+  // Assembles the unknowns' part of the matrix (its lower triangle) and of the residual.
   void assemble(const Patch& patch, const Vector& x, const Places& places, Eigen::MatrixXd& H, Vector& r) const
   {
     const Eigen::Index size = Eigen::Index(patch.unknowns.size());
@@ -477,7 +481,7 @@ private:
   struct Violation
   {
     double slack;
-    std::size_t cell, condition; // among the cells of the patch, and all conditions
+    std::size_t cell, condition; // index of the cell in the patch, and of the condition
     int number;
     bool operator<(const Violation& o) const
     {
@@ -485,14 +489,14 @@ private:
     }
   };
 
-  // what a step of the unknowns violates in cells, and is not in the program
+  // Finds the conditions in cells that a step of the unknowns violates and that are not in the program.
   void find_violations(std::vector<Patch_cell>& cells, std::size_t begin, std::size_t end, const Vector& step,
                        std::vector<Violation>& violated) const
   {
     for(std::size_t c = begin; c < end; ++c) {
       Patch_cell& cell = cells[c];
       const std::array<double, 64> change = cell.change(step);
-      // most conditions are far from being violated
+      // Most conditions are far from being violated.
       const Slacks largest = largest_changes(change.data(), scale(cell.cell));
       if(m_least_slack[cell.cell] >= (std::max)(largest[0], largest[1])) continue;
       const std::size_t first = m_first[cell.cell];
@@ -511,7 +515,7 @@ private:
     }
   }
 
-  // the step of the unknowns
+  // Returns the step of the unknowns.
   template <typename ConcurrencyTag>
   Vector minimize(std::vector<Patch_cell>& cells, const Eigen::LLT<Eigen::MatrixXd>& factor, const Vector& r) const
   {
@@ -520,7 +524,7 @@ private:
     Vector step = factor.matrixU().solve(free);
     Eigen::MatrixXd W(size, 0);       // L^-1 G^T, for the conditions G in the program
     Eigen::MatrixXd K(0, 0);          // W^T W
-    Vector wanted(0), multipliers(0); // of G x, beyond what x has
+    Vector wanted(0), multipliers(0); // required changes of G x, and their multipliers
     for(int exchange = 0; exchange < slope_tuning.max_exchanges; ++exchange) {
       std::vector<Violation> violated = internal::collect_from_chunks<ConcurrencyTag, Violation>(
         cells.size(), cells_at_once, [&](std::size_t begin, std::size_t end, std::vector<Violation>& found) {
@@ -552,7 +556,8 @@ private:
         auto added = W.middleCols(old + Eigen::Index(begin), Eigen::Index(end - begin));
         factor.matrixL().solveInPlace(added);
       });
-      // the dual: minimize |W l|^2 / 2 - l . (wanted - W^T L^-1 r) over 0 <= l <= bound, one multiplier after the other
+      // The dual: minimize |W l|^2 / 2 - l . (wanted - W^T L^-1 r) over 0 <= l <= bound, one multiplier after the
+      // other.
       K.conservativeResize(W.cols(), W.cols());
       internal::for_each_chunk<ConcurrencyTag>(more, columns_at_once, [&](std::size_t begin, std::size_t end) {
         const Eigen::Index first = old + Eigen::Index(begin), columns = Eigen::Index(end - begin);
@@ -582,10 +587,10 @@ private:
   const Field& m_field;
   const Matrix& m_A;
   const Vector& m_b;
-  std::vector<Slope_condition> m_conditions; // by cell
-  std::vector<std::size_t> m_first;          // condition of each cell
+  std::vector<Slope_condition> m_conditions; // sorted by cell
+  std::vector<std::size_t> m_first;          // first condition of each cell, and the end
   Vector m_points;
-  std::vector<char> m_hopeless, m_changed, m_is_known; // of a cell: the last one, whether its least slack is
+  std::vector<char> m_hopeless, m_changed, m_is_known; // by cell; the last one: whether the least slack is valid
   std::vector<double> m_least_slack;
 };
 

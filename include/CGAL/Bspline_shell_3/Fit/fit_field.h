@@ -28,18 +28,18 @@ namespace Bspline_shells {
  *
  * \brief minimizes the paper's energy over the coefficients of a field.
  *
- * The quadratic terms are solved for at once. Where the fourth, \f$E_{singularH}\f$, has a weight, damped
+ * The quadratic terms are solved for at once. If the fourth term, \f$E_{singularH}\f$, has a weight, damped
  * Gauss-Newton steps on \f$\int (\det H)^2 / \max(|\det H|, \eta)\f$ follow, over the shell of the first solution. Each
- * has one solve from the last solution and a line search on the energy itself. They end when the energy falls by less
- * than one percent, or after ten.
+ * step has one solve, which starts at the last solution, and a line search on the energy itself. The steps end when the
+ * energy decreases by less than one percent, or after ten steps.
  *
  * \tparam Field a model of `FittableBsplineField_3`
  * \param energy the energy of `field`
- * \param solver any model of `SPDSolver`; it is given one linear system for each step
- * \param x where an iterative solver starts, in cell units (`Fit_energy::initial_guess()`)
- * \param[out] field gets the coefficients of the solution, unless the solver fails
- * \cgalHeading{Cost} assembly is linear in cells and quadrature points; a conjugate gradient iteration is linear in
- * the number of unknowns.
+ * \param solver any model of `SPDSolver`; it solves one linear system for each step
+ * \param x initial value of iterative solvers, in cell units (`Fit_energy::initial_guess()`)
+ * \param[out] field receives the coefficients of the solution, unless the solver fails
+ * \cgalHeading{Cost} Assembly is linear in the numbers of cells and quadrature points. An iteration of conjugate
+ *   gradients is linear in the number of unknowns.
  */
 template <typename ConcurrencyTag, typename Field>
 Fit_report fit_field(Field& field, Fit_energy<Field>& energy, const Any_spd_solver& solver, Eigen::VectorXd x)
@@ -48,7 +48,7 @@ Fit_report fit_field(Field& field, Fit_energy<Field>& energy, const Any_spd_solv
   typedef typename Fit_energy<Field>::Matrix Matrix;
   constexpr std::size_t max_steps = 10;
   constexpr double least_decrease = 1e-2;
-  constexpr double eta = 1e-3; // determinants below are as good as zero: curvatures of a tenth per cell
+  constexpr double eta = 1e-3; // smaller determinants count as zero: curvatures of a tenth per cell
 
   Fit_report report;
   Real_timer timer;
@@ -74,8 +74,8 @@ Fit_report fit_field(Field& field, Fit_energy<Field>& energy, const Any_spd_solv
   if(!solved) return report;
 
   if(energy.weight(Energy_term::SINGULAR_HESSIAN) > 0) {
-    // The paper integrates over the shell, which moves with the field. A domain that moves with every step makes the
-    // steps oscillate: it stays the shell of the first solution.
+    // The paper integrates over the shell, which moves with the field. If the domain moved with every step, the steps
+    // would oscillate: it stays the shell of the first solution.
     const std::pair<double, double> range = energy.range_on_mesh(x);
     energy.set_singular_hessian_domain(x, range.first, range.second);
     for(std::size_t step = 0; step < max_steps; ++step) {
@@ -87,7 +87,7 @@ Fit_report fit_field(Field& field, Fit_energy<Field>& energy, const Any_spd_solv
       const bool step_solved = solve(step_matrix, step_rhs, target);
       report.seconds_solver = timer.time();
       if(!step_solved) return report;
-      // the full step minimizes the model; the energy itself may want a shorter one
+      // The full step minimizes the model; the energy itself may require a shorter one.
       double length = 1, after = energy.template value<ConcurrencyTag>(target);
       while(after > before && length > 1e-3) {
         length /= 2;

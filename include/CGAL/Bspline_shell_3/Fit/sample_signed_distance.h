@@ -23,13 +23,13 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief where the signed distance is sampled: two points per cell and axis, which together form a uniform lattice of
- * half the cells' spacing.
+ * \brief the positions of the samples of the signed distance: two per cell and axis, which together form a uniform
+ * lattice with half the spacing of the cells.
  */
 struct Distance_samples
 {
   static constexpr int per_cell = 8;
-  /// position of a sample in its cell; sample `s` is at 1/4 or 3/4 of axis `a` as bit `a` of `s` is 0 or 1
+  /// returns the position of a sample in its cell; sample `s` is at 1/4 or 3/4 of axis `a` if bit `a` of `s` is 0 or 1
   static double position(int s, int axis) { return (s >> axis) & 1 ? 0.75 : 0.25; }
   template <typename Point_3, typename Cells>
   static Point_3 point(const Cells& cells, std::uint32_t c, int s)
@@ -44,7 +44,8 @@ struct Distance_samples
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief the signed distance at the samples of some cells, in user units: `Distance_samples::per_cell` values a cell.
+ * \brief returns the signed distance at the samples of some cells, user units: `Distance_samples::per_cell` values per
+ * cell.
  *
  * \tparam Cells `Cell_complex_3` or `Cell_hierarchy_3`
  * \param oracle any model of `SignedDistanceOracle_3`
@@ -69,7 +70,7 @@ std::vector<double> sample_signed_distance(const Any_signed_distance_3& oracle, 
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief the same for all cells.
+ * \brief returns the signed distance at the samples of all cells.
  */
 template <typename ConcurrencyTag, typename Cells>
 std::vector<double> sample_signed_distance(const Any_signed_distance_3& oracle, const Cells& cells)
@@ -82,9 +83,9 @@ std::vector<double> sample_signed_distance(const Any_signed_distance_3& oracle, 
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief makes the samples of one hierarchy those of another: samples of leaves that both have are kept.
+ * \brief updates the samples of one hierarchy to those of another; samples of leaves that both contain are kept.
  *
- * \return the other leaves
+ * \return the leaves with new samples
  */
 template <typename ConcurrencyTag>
 std::vector<std::uint32_t> update_signed_distance(const Any_signed_distance_3& oracle, const Cell_hierarchy_3& before,

@@ -23,15 +23,14 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief solves equations that only some unknowns have, while the others keep their values (`Fit_energy::assemble()` of
- * a part).
+ * \brief solves equations for some unknowns, while the others keep their values (`Fit_energy::assemble()` of a part).
  *
- * \param solver any model of `SPDSolver`; gets the system of these unknowns alone
+ * \param solver any model of `SPDSolver`; it solves the system of these unknowns alone
  * \param lower lower triangle of the matrix of all unknowns; rows and columns of the others are empty
  * \param b right-hand side
- * \param chosen by unknown, whether it is one of them
- * \param blocks of all unknowns
- * \param[in,out] x where the iteration starts, and the solution
+ * \param chosen for each unknown, whether it is solved for
+ * \param blocks the blocks of all unknowns
+ * \param[in,out] x the initial value of the iteration, then the solution
  */
 inline Solver_status solve_part(const Any_spd_solver& solver, const Eigen::SparseMatrix<double>& lower,
                                 const Eigen::VectorXd& b, const std::vector<char>& chosen, const Unknown_blocks& blocks,
@@ -63,7 +62,7 @@ inline Solver_status solve_part(const Any_spd_solver& solver, const Eigen::Spars
       if(chosen[blocks.unknowns[n]]) part_blocks.unknowns.push_back(std::uint32_t(place[blocks.unknowns[n]]));
     if(part_blocks.unknowns.size() > part_blocks.first.back()) part_blocks.first.push_back(part_blocks.unknowns.size());
   }
-  // for what they change, so that the tolerance is relative to that
+  // Solve for the change of the unknowns, so that the tolerance is relative to it.
   const Eigen::VectorXd all_residuals = b - lower.selfadjointView<Eigen::Lower>() * x;
   Eigen::VectorXd residual(size), change = Eigen::VectorXd::Zero(size);
   for(Eigen::Index n = 0; n < size; ++n) residual[n] = all_residuals[unknowns[std::size_t(n)]];

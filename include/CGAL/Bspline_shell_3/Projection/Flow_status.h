@@ -12,27 +12,27 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief what became of a point that was to be moved along its integral curve. Every value but `SUCCESS` means that it
- * has no image. A map has a status, too (`Shell_map_3::status()`).
+ * \brief the outcome of moving a point along its integral curve. If the value is not `SUCCESS`, the point has no image.
+ * A map has a status, too (`Shell_map_3::status()`).
  */
 enum class Flow_status
 {
   SUCCESS,
-  COMPONENTS_UNKNOWN, ///< maps: it is not known whether both meshes lie in the same components of the shell
-  OTHER_COMPONENTS,   ///< a component of the shell holds no part of the source, or none of the target
+  COMPONENTS_UNKNOWN, ///< maps: it is unknown whether both meshes lie in the same components of the shell
+  OTHER_COMPONENTS,   ///< a component of the shell contains no part of the source, or no part of the target
   NO_SHELL,           ///< there is no shell
-  INVALID_MESH,       ///< the target has facets that are no triangles, or coordinates that are no finite numbers
+  INVALID_MESH,       ///< the target has facets that are not triangles, or coordinates that are not finite
   NOT_FINITE,         ///< a coordinate of the point is infinite or not a number
   STARTS_OUTSIDE,     ///< the point is not in the shell
   LEAVES_SHELL,       ///< the curve leaves the shell without meeting the target
-  FACES_WRONG_WAY,   ///< the curve meets the target where its facets turn their backs to the gradient, and nowhere else
-  GRADIENT_VANISHES, ///< the curve runs into a critical point, or as near to one as rounding can tell
-  TOO_MANY_STEPS,    ///< the tolerance cannot be kept
-  CANCELED           ///< the visitor asked to stop before it was the point's turn
+  FACES_WRONG_WAY,    ///< the curve meets the target only at facets that face against the gradient
+  GRADIENT_VANISHES,  ///< the curve runs into a critical point, up to rounding
+  TOO_MANY_STEPS,     ///< the tolerance cannot be met
+  CANCELED            ///< the visitor canceled before the point was processed
 };
 
 /// \ingroup PkgBsplineShell3Projection
-/// what is wrong and what can be done about it, in one sentence
+/// returns one sentence that describes the problem and a remedy
 inline const char* message(Flow_status status)
 {
   switch(status) {

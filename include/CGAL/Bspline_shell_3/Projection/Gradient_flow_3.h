@@ -26,34 +26,34 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief how a point that is moved along its integral curve, by a fixed difference of the field's value, moves when it
- * starts elsewhere: a linear map between vectors.
+ * \brief the differential of the move of a point along its integral curve by a fixed difference of the field's value: a
+ * linear map between vectors.
  *
- * Along the curves themselves it does what they do; the maps between surfaces are composed of it and of the move along
- * the curve to the surface.
+ * It maps vectors along the curve at the start to vectors along the curve at the end. The differentials of maps between
+ * surfaces are composed of it and of the move along the curve to the surface.
  */
 struct Flow_differential
 {
   Flow_status status = Flow_status::CANCELED;
-  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity(); ///< derivatives of the end by the start
-  /// at the end: of the curve, where the field's value is the time
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity(); ///< derivatives of the end with respect to the start
+  /// velocity of the curve at its end, with the field's value as time
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
 
   explicit operator bool() const { return status == Flow_status::SUCCESS; }
 
-  /// The differential of the map along the curves to a plane, or to a surface with that tangent plane: its image is in
-  /// the plane, and what points along the curve is mapped to zero.
+  /// returns the differential of the map along the curves to a plane, or to a surface with this tangent plane. Images
+  /// lie in the plane, and vectors along the curve are mapped to zero.
   /// \pre the normal is not orthogonal to the velocity
   Eigen::Matrix3d onto_plane(const Eigen::Vector3d& normal) const
   {
     CGAL_precondition(normal.dot(velocity) != 0);
     return matrix - velocity * (normal.transpose() * matrix) / normal.dot(velocity);
   }
-  /// the differential of the map along the curves to the level set through the end
+  /// returns the differential of the map along the curves to the level set through the end
   Eigen::Matrix3d onto_level_set() const { return onto_plane(velocity); }
 
-  /// The same for a map that ends before a linear one, of which it is the inverse, or begins after one: planes that the
-  /// linear map takes to each other stand for each other.
+  /// applies the inverse of a linear map at the end. A plane at the end is then given before the linear map, instead of
+  /// its image.
   /// \pre `linear` is invertible
   void prepend_to_end(const Eigen::Matrix3d& linear)
   {
@@ -61,12 +61,13 @@ struct Flow_differential
     matrix = inverse * matrix;
     velocity = inverse * velocity;
   }
+  /// applies a linear map at the start
   void append_to_start(const Eigen::Matrix3d& linear) { matrix *= linear; }
 };
 
 namespace internal {
 
-// The result for a point without an image.
+// Returns the result for a point without an image.
 inline Flow_differential no_differential(Flow_status status)
 {
   Flow_differential result;
@@ -74,7 +75,7 @@ inline Flow_differential no_differential(Flow_status status)
   return result;
 }
 
-// that of the projection along a normal
+// Returns the differential of the projection along a normal.
 inline Flow_differential orthogonal_differential(const std::array<double, 3>& normal)
 {
   Flow_differential result;
@@ -88,11 +89,10 @@ inline Flow_differential orthogonal_differential(const std::array<double, 3>& no
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief moves points of a shell along the integral curves of its field to where the field has a given value.
+ * \brief moves points of a shell along the integral curves of its field to a given value of the field.
  *
  * Curves are traced by an embedded Runge-Kutta method of order five (Boost.Odeint) for \f$dc/ds = \nabla f / |\nabla
- * f|^2\f$, so that \f$s\f$ is the value of the field. Const member functions may be called from several threads at
- * once.
+ * f|^2\f$, so that \f$s\f$ is the value of the field. Const member functions may be called concurrently.
  *
  * \tparam Shell a `CGAL::Bspline_shell_3`
  */
@@ -102,18 +102,18 @@ class Gradient_flow_3
 public:
   typedef typename Shell::Point_3 Point_3;
 
-  /// 1e-9 of the longest side of the box of the mesh that the shell was built for, or 256 units in the last place of
-  /// the coordinates, if that is more.
+  /// returns 1e-9 of the longest side of the bounding box of the mesh that the shell was built for, or 256 units in the
+  /// last place of the coordinates, if that is more.
   ///
-  /// A curve takes some ten steps. Each adds up seven stages, and rounds each coordinate by some units in the last
+  /// A curve takes about ten steps. Each step adds up seven stages and rounds each coordinate by some units in the last
   /// place. The sum over steps and coordinates is about a hundred units, and more where a curve meets a facet at an
-  /// angle. No smaller tolerance can be kept.
+  /// angle. A smaller tolerance cannot be met.
   static double default_tolerance(const Shell& shell)
   {
     return (std::max)(1e-9 * shell.report().unit, 256 * internal::coordinate_rounding(shell));
   }
 
-  /// where a curve arrived
+  /// the end of a traced curve
   struct Arrival
   {
     Flow_status status = Flow_status::CANCELED;
@@ -122,20 +122,21 @@ public:
   };
 
   /// \pre `shell` outlives this object
-  /// \param shell a shell; if it has none, all points have the status `NO_SHELL`
-  /// \param tolerance of the tracing, user units; 0 stands for the default. The end is at most this far from the exact
-  ///        one. That is an estimate: the errors of the steps are followed along the curve to first order. Curves that
-  ///        diverge are traced in shorter steps. If `double`s do not suffice, the status is `TOO_MANY_STEPS`.
+  /// \param shell a shell; if it is not valid (`!shell`), all points have the status `NO_SHELL`
+  /// \param tolerance largest distance of the end from the exact one, user units; 0 stands for the default. The
+  ///   distance is an estimate: the errors of the steps are followed along the curve to first order. Curves that
+  ///   diverge are traced in shorter steps. If the accuracy of `double`s does not suffice, the status is
+  ///   `TOO_MANY_STEPS`.
   explicit Gradient_flow_3(const Shell& shell, double tolerance = 0)
     : m_shell(&shell), m_tolerance(tolerance > 0 ? tolerance : default_tolerance(shell))
   {}
-  explicit Gradient_flow_3(const Shell&&, double = 0) = delete; // it would dangle
+  explicit Gradient_flow_3(const Shell&&, double = 0) = delete; // would dangle
 
   const Shell& shell() const { return *m_shell; }
   double tolerance() const { return m_tolerance; }
 
-  /// from a point to where the field is `level`.
-  /// \tparam Point has three coordinates `p[0]`, `p[1]`, `p[2]`
+  /// traces the curve from a point to where the field is `level`.
+  /// \tparam Point a type with the coordinates `p[0]`, `p[1]`, `p[2]`
   template <typename Point>
   Arrival trace(const Point& p, double level) const
   {
@@ -149,8 +150,8 @@ public:
     return arrival;
   }
 
-  /// the differential of `trace()`, from the variational equation with the Hessian of the field; its relative error is
-  /// about the tolerance divided by the side of the box.
+  /// returns the differential of `trace()`, from the variational equation with the Hessian of the field. Its relative
+  /// error is about the tolerance divided by the longest side of the bounding box.
   template <typename Point>
   Flow_differential differential(const Point& p, double level) const
   {

@@ -26,11 +26,11 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief the facets of a mesh to project to (`Projection_target_3`), whatever the type of the mesh: their corners,
- * neighbors and normals, and an AABB tree.
+ * \brief the facets of a mesh to project to (`Projection_target_3`), independent of the type of the mesh: their
+ * corners, neighbors and normals, and an AABB tree.
  *
- * Facets are numbered. Edge `i` of a facet leads from vertex `i` to the next. Const member functions may be called from
- * several threads at once.
+ * Facets are numbered. Edge `i` of a facet leads from vertex `i` to the next. Const member functions may be called
+ * concurrently.
  */
 class Projection_facets_3
 {
@@ -43,7 +43,7 @@ public:
   {
     std::array<Coordinates, 3> vertex;
     std::array<Index, 3> neighbor; ///< `npos` at a border
-    Coordinates normal;            ///< twice the area long; found out
+    Coordinates normal;            ///< its length is twice the area; set by the constructor
   };
 
   Projection_facets_3() = default;
@@ -52,11 +52,11 @@ public:
 
   std::size_t number_of_facets() const { return m_facets.size(); }
   const Coordinates& vertex(Index facet, int i) const { return m_facets[facet].vertex[i]; }
-  const Coordinates& normal(Index facet) const { return m_facets[facet].normal; } ///< twice the area long
+  const Coordinates& normal(Index facet) const { return m_facets[facet].normal; } ///< its length is twice the area
   bool has_area(Index facet) const { return normal(facet) != Coordinates{}; }
   Index neighbor(Index facet, int edge) const { return m_facets[facet].neighbor[edge]; } ///< `npos` at a border
 
-  /// whether no facet is at a border
+  /// returns whether no facet has a border edge
   bool is_closed() const
   {
     return std::all_of(m_facets.begin(), m_facets.end(), [](const Facet& f) {
@@ -64,10 +64,10 @@ public:
     });
   }
 
-  /// the connected component that has each facet, and their number
+  /// returns the connected component of each facet, and sets `number` to the number of components
   std::vector<Index> components(std::size_t& number) const;
 
-  /// the point with these barycentric coordinates
+  /// returns the point with these barycentric coordinates
   Coordinates point(Index facet, const Coordinates& barycentric) const
   {
     Coordinates p;
@@ -77,31 +77,33 @@ public:
     return p;
   }
 
-  /// normal . (p - the plane of the facet)
+  /// returns normal . (p - q) for a point q of the facet's plane
   double height(Index facet, const Coordinates& p) const
   {
     const Facet& f = m_facets[facet];
     return internal::dot(f.normal, difference(p, f.vertex[0]));
   }
 
-  /// Where in its plane a point is: barycentric coordinates, which may be negative; the distance from the facet, if it
-  /// is outside, or else from the nearest edge, negative; the edge whose line it is farthest outside of, or nearest to;
-  /// and the barycentric coordinates of the point of the facet that is nearest.
+  /// the position of a point in the plane of a facet
   struct Position
   {
+    /// barycentric coordinates; they may be negative
     Coordinates barycentric;
+    /// distance from the facet, if the point is outside; otherwise, minus the distance from the nearest edge
     double outside;
+    /// the edge whose line the point is farthest outside of, or nearest to
     int edge;
+    /// barycentric coordinates of the nearest point of the facet
     Coordinates nearest;
   };
   /// \pre the facet has an area
   Position position(Index facet, const Coordinates& p) const;
 
-  /// the facet that is nearest to a point, and the barycentric coordinates of the nearest point of it.
+  /// returns the facet that is nearest to a point, and the barycentric coordinates of its nearest point.
   /// \pre there is a facet
   std::pair<Index, Coordinates> closest(const Coordinates& p) const;
 
-  /// calls `visit(facet)` for all facets whose boxes meet the box
+  /// calls `visit(facet)` for all facets whose bounding boxes intersect the box
   template <typename Visitor>
   void visit_facets(const Bbox_3& box, const Visitor& visit) const
   {
@@ -109,14 +111,15 @@ public:
       box, [](const void* visitor, Index facet) { (*static_cast<const Visitor*>(visitor))(facet); }, &visit);
   }
 
-  /// the facet that the straight segment from `p + first * direction` to `p + last * direction` meets from behind,
-  /// nearest to `p`, or else, among those that come as near to the segment as `margin`, the one that its line misses
-  /// least; `npos` if there is none
+  /// returns the facet nearest to `p` that the straight segment from `p + first * direction` to `p + last * direction`
+  /// meets from behind. If there is none, returns the facet that the line misses least, of those whose bounding boxes
+  /// come as near to the segment as `margin`; `npos` if there are none.
   Index facet_on_line(const Coordinates& p, const Coordinates& direction, double first, double last,
                       double margin) const;
 
-  /// A facet that the segment meets from behind, found by walking over edges from `facet`. All facets on the way must
-  /// face along `direction`; `npos` if the walk ends at a border, or takes too many moves.
+  /// returns a facet that the segment meets from behind, found by walking over edges from `facet`. Returns `npos` if a
+  /// facet on the way does not face along `direction`, or if the walk ends at a border, beyond the segment, or after
+  /// too many moves.
   Index facet_on_line_near(Index facet, const Coordinates& p, const Coordinates& direction, double first,
                            double last) const;
 

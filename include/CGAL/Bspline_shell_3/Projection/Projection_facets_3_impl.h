@@ -41,14 +41,14 @@ inline Exact_coordinates exact_difference(const std::array<double, 3>& p, const 
 
 } // namespace internal
 
-// A tree of the boxes of groups: facets that follow each other in Morton's order, which is found sooner than CGAL
-// builds a tree of all.
+// A tree of the boxes of groups. A group consists of successive facets in Morton order. Sorting the facets takes less
+// time than building a CGAL tree of all facets.
 class Projection_facets_3::Tree
 {
   typedef Simple_cartesian<double> Kernel;
   typedef std::vector<Kernel::Iso_cuboid_3> Boxes;
 
-  // the box of a group
+  // The box of a group.
   class Primitive
   {
   public:
@@ -69,7 +69,7 @@ class Projection_facets_3::Tree
   typedef internal::AABB_traits_3<Kernel, Primitive> Traits;
 
 public:
-  // with a margin around it
+  // A segment with a margin around it.
   class Segment
   {
   public:
@@ -79,7 +79,7 @@ public:
       for(int a = 0; a < 3; ++a) m_inverse[a] = 1 / direction[a];
     }
 
-    // by the slabs of the box; where the direction has no component along an axis, by comparisons with infinities
+    // Slab test. If a component of the direction is zero, bounds are infinite.
     bool may_meet(const Bbox_3& box) const
     {
       double first = m_first, last = m_last;
@@ -97,7 +97,7 @@ public:
     Coordinates m_point, m_inverse;
   };
 
-  // the points that are nearer to a point than some distance, which gets less
+  // An open ball, which shrinks during a query.
   struct Ball
   {
     Coordinates center;
@@ -141,7 +141,7 @@ public:
     m_tree.build();
   }
 
-  // calls visit(facet) for the facets whose boxes the query meets
+  // Calls visit(facet) for the facets whose boxes intersect the query.
   template <typename Query, typename Visitor>
   void visit(const Query& query, const Visitor& visit) const
   {
@@ -149,8 +149,8 @@ public:
     m_tree.traversal(query, traits);
   }
 
-  // A facet near a point, if not the nearest one: of some, the nearest, and then of some that are next to it in
-  // Morton's order, until these are all.
+  // Returns a facet near a point, not necessarily the nearest one. Takes the nearest of some facets, then of some that
+  // are close to it in Morton order, until these are all.
   Index facet_near(const std::vector<Facet>& facets, const Coordinates& p) const
   {
     constexpr std::size_t some = 64;
@@ -208,7 +208,7 @@ private:
 
   std::vector<Index> m_facets; // in the order of groups
   Boxes m_boxes;
-  // in the same order: facets of a group may be far from each other in memory
+  // in the same order, since facets of a group may be far from each other in memory
   std::vector<Bbox_3> m_boxes_of_facets;
   AABB_tree<Traits> m_tree;
 };
@@ -260,8 +260,8 @@ CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Position Projection_facets_3::p
     longest = (std::max)(longest, lengths[i]);
   }
   Coordinates& w = result.barycentric;
-  // Rounding moves a point by eps / thinness of its distance from the facet's vertex, and after a second step by the
-  // square of that
+  // Rounding moves a point by eps / thinness, relative to its distance from the facet's vertex. After a second step,
+  // the factor is squared.
   constexpr double thin = 1e-6;
   if(squared > thin * thin * longest * longest) {
     const Coordinates inwards[2] = { cross(f.normal, e[2]), cross(f.normal, e[0]) }, d = difference(p, f.vertex[0]);
@@ -273,7 +273,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Position Projection_facets_3::p
     w[2] += dot(inwards[1], rest) / squared;
     w[0] = 1 - w[1] - w[2];
   } else w = exact_barycentric(f, p);
-  // compared by their squares, with a sign
+  // Signed squares are compared.
   for(int i = 0; i < 3; ++i) {
     const double weight = w[(i + 2) % 3], outside = -weight * std::abs(weight) / lengths[i];
     if(outside > result.outside) {
@@ -284,12 +284,12 @@ CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Position Projection_facets_3::p
   result.outside = std::copysign(std::sqrt(std::abs(result.outside) * squared), result.outside);
   result.nearest = result.barycentric;
   if(!(result.outside > 0)) return result;
-  // where two edges meet at a small angle, a point far from both may be next to their lines
+  // If two edges meet at a small angle, a point far from both may be next to their lines.
   result.outside = nearest_on_edges(f, p, result.nearest);
   return result;
 }
 
-// the distance from the edges, and the barycentric coordinates of where it is taken
+// Returns the distance from the edges, and the barycentric coordinates of the nearest point on them.
 CGAL_BSPLINE_SHELL_3_INLINE double Projection_facets_3::nearest_on_edges(const Facet& f, const Coordinates& p,
                                                                          Coordinates& barycentric)
 {
@@ -312,7 +312,7 @@ CGAL_BSPLINE_SHELL_3_INLINE std::pair<Projection_facets_3::Index, Projection_fac
 Projection_facets_3::closest(const Coordinates& p) const
 {
   CGAL_precondition(m_tree != nullptr);
-  std::pair<Index, Coordinates> result(0, { 1, 0, 0 }); // for what is no point
+  std::pair<Index, Coordinates> result(0, { 1, 0, 0 }); // used if `p` is NaN
   Tree::Ball ball = { p, std::numeric_limits<double>::infinity() };
   const auto compare = [&](Index facet) {
     Coordinates barycentric;
@@ -324,7 +324,7 @@ Projection_facets_3::closest(const Coordinates& p) const
     ball.squared_radius = squared;
     result = { facet, barycentric };
   };
-  compare(m_tree->facet_near(m_facets, p)); // so that few others have to be looked at
+  compare(m_tree->facet_near(m_facets, p)); // shrinks the ball, so that few other facets are compared
   m_tree->visit(ball, compare);
   return result;
 }
@@ -367,7 +367,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Index Projection_facets_3::face
 {
   using internal::cross;
   using internal::dot;
-  constexpr int most_moves = 16; // more take longer than to look it up
+  constexpr int most_moves = 16; // more moves take longer than a query of the tree
   for(int moves = 0; moves < most_moves; ++moves) {
     const Facet& f = m_facets[facet];
     const double volume = dot(f.normal, direction);
@@ -392,7 +392,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Index Projection_facets_3::face
   return npos;
 }
 
-// The exact one, rounded, where cancellation would turn it so that points of the facet were far from its plane.
+// If cancellation would turn the normal so far that points of the facet leave its plane, the exact normal is rounded.
 CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Coordinates Projection_facets_3::normal(const Coordinates& p,
                                                                                          const Coordinates& q,
                                                                                          const Coordinates& r)
@@ -409,8 +409,8 @@ CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Coordinates Projection_facets_3
   return result;
 }
 
-// of the point of the plane that is nearest to `p`, rounded: a weight is the area of the triangle opposite its vertex,
-// n . (e x (p - v)) / n^2
+// Returns the rounded exact barycentric coordinates of the point of the plane that is nearest to `p`. A weight is the
+// area of the triangle opposite its vertex, n . (e x (p - v)) / n^2.
 CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Coordinates Projection_facets_3::exact_barycentric(
   const Facet& f, const Coordinates& p)
 {

@@ -29,11 +29,11 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief the triangles of a mesh as curves look for them: with coordinates in `double`s, neighbors and a tree of boxes.
+ * \brief the triangles of a mesh to project to: their coordinates in `double`s, their neighbors, and an AABB tree.
  *
- * Facets are numbered as `faces(mesh)`. Vertex `i` of a facet is, in this order, `source(h)`, `target(h)`,
- * `target(next(h))` of its halfedge `h`, as for `CGAL::Polygon_mesh_processing::Face_location`; edge `i` leads from
- * vertex `i` to the next. Copies are not possible; const member functions may be called from several threads at once.
+ * Facets are numbered in the order of `faces(mesh)`. Vertex `i` of a facet is, in this order, `source(h)`, `target(h)`,
+ * `target(next(h))` of its halfedge `h`, as for `CGAL::Polygon_mesh_processing::Face_location`. Edge `i` leads from
+ * vertex `i` to the next. Objects cannot be copied. Const member functions may be called concurrently.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
  */
@@ -46,11 +46,11 @@ public:
   typedef TriangleMesh Mesh;
   typedef typename Graph_traits::face_descriptor face_descriptor;
 
-  /// copies coordinates and neighbors; `vpm` is a model of `ReadablePropertyMap` from the mesh's vertices to points of
-  /// a kernel. If a facet is no triangle or a coordinate not finite, the target is not valid. Where the mesh has tips
-  /// that `truncation` replaces, curves are traced to the truncated mesh.
-  /// \pre the mesh outlives this object, unchanged. A mesh that keeps dynamic properties in itself, as `Surface_mesh`
-  ///   does, must not be prepared by two threads at once.
+  /// copies coordinates and neighbors. If a facet is not a triangle or a coordinate is not finite, the target is not
+  /// valid. If `truncation` replaces tips of the mesh, curves are traced to the truncated mesh.
+  /// \param vpm a model of `ReadablePropertyMap` from the mesh's vertices to points of a kernel
+  /// \pre the mesh outlives this object and does not change. A mesh that stores dynamic properties in itself, like
+  ///   `Surface_mesh`, must not be prepared by two threads at once.
   template <typename VertexPointMap>
   Projection_target_3(const TriangleMesh& mesh, VertexPointMap vpm,
                       const std::shared_ptr<const Shell_truncation_3>& truncation = nullptr)
@@ -95,38 +95,38 @@ public:
     Index facet;
     int vertex;
   };
-  /// the corner at a border vertex with these coordinates, or null
+  /// returns the corner at a border vertex with these coordinates, or null
   const Corner* border_corner(const Coordinates& p) const
   {
     const auto found = m_border.find(p);
     return found == m_border.end() ? nullptr : &found->second;
   }
   /// \name Truncation
-  /// Curves are traced from and to the truncated mesh, which is in the shell. It is the mesh itself where that has no
-  /// tips that are replaced.
+  /// Curves are traced from and to the truncated mesh, which lies in the shell. If no tips are replaced, it is the mesh
+  /// itself.
   /// @{
-  /// the facets that curves are traced to, with numbers of their own
+  /// returns the facets that curves are traced to; they have their own numbers
   const Projection_facets_3& traced_facets() const { return m_truncated ? m_truncated->facets() : *this; }
-  /// where a place, a facet and barycentric coordinates, is on them
+  /// maps a place (facet and barycentric coordinates) on the mesh to the traced facets
   std::pair<Index, Coordinates> traced(const std::pair<Index, Coordinates>& place) const
   {
     return m_truncated ? m_truncated->traced(place) : place;
   }
-  /// where a place on them is on the mesh
+  /// maps a place on the traced facets to the mesh
   std::pair<Index, Coordinates> untraced(const std::pair<Index, Coordinates>& place) const
   {
     return m_truncated ? m_truncated->untraced(place) : place;
   }
-  /// the point from which the curve through a place of the mesh is traced
+  /// returns the point from which the curve through a place of the mesh is traced
   Coordinates traced_point(Index facet, const Coordinates& barycentric) const
   {
     const auto place = traced({ facet, barycentric });
     return traced_facets().point(place.first, place.second);
   }
-  /// the same for vertices, in the order of `vertices(mesh)`
+  /// returns these points for all vertices, in the order of `vertices(mesh)`
   const std::vector<Coordinates>& traced_vertices() const { return m_traced_vertices; }
-  /// the derivative of the map from the mesh to the truncated one, between the planes of their facets, and from normal
-  /// to normal
+  /// returns the derivative of the map from the mesh to the truncated mesh. It maps the plane of a facet to that of its
+  /// image, and the normal to the normal.
   Eigen::Matrix3d traced_derivative(Index facet, const Coordinates& barycentric) const
   {
     return m_truncated
@@ -161,7 +161,7 @@ private:
       const auto f = h == Graph_traits::null_halfedge() ? Graph_traits::null_face() : face(h, *m_mesh);
       if(f != Graph_traits::null_face() && m_truncated->is_cut(facet_of(f))) {
         Coordinates corner = {};
-        auto to = prev(halfedge(f, *m_mesh), *m_mesh); // to the first corner
+        auto to = prev(halfedge(f, *m_mesh), *m_mesh); // halfedge to the first corner
         for(int i = 0; i < 3; ++i, to = next(to, *m_mesh))
           if(target(to, *m_mesh) == v) corner[i] = 1;
         const auto place = m_truncated->traced({ facet_of(f), corner });

@@ -23,12 +23,11 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief maps points of a polygon soup to its proxy, a mesh in the shell: along the integral curves, as
- * `Shell_projection_3` does.
+ * \brief maps points of a polygon soup along integral curves to its proxy, a mesh in the shell, like
+ * `Shell_projection_3`.
  *
  * Points that are not in the shell, or whose curves leave it without meeting the proxy, are mapped to the nearest point
- * of the proxy. These images are marked
- * (`Projected_point::is_continued`), and two points may have one.
+ * of the proxy. These images are marked (`Projected_point::is_continued`), and several points may share one.
  *
  * \tparam Shell a `CGAL::Bspline_shell_3`
  * \tparam TriangleMesh a model of `FaceListGraph`
@@ -46,15 +45,15 @@ public:
 
   using Base::Base;
 
-  /// the image of a point.
-  /// \tparam Point has three coordinates `p[0]`, `p[1]`, `p[2]`
+  /// returns the image of a point.
+  /// \tparam Point a type with the coordinates `p[0]`, `p[1]`, `p[2]`
   template <typename Point>
   Image operator()(const Point& p) const
   {
     Hint hint;
     return (*this)(p, hint);
   }
-  /// the same, as that of `Shell_projection_3`
+  /// returns the image of a point, with a hint as for `Shell_projection_3`
   template <typename Point>
   Image operator()(const Point& p, Hint& hint) const
   {
@@ -70,7 +69,7 @@ public:
     return image;
   }
 
-  /// the images of many points, as `Shell_projection_3::project()`
+  /// returns the images of many points, like `Shell_projection_3::project()`
   template <typename ConcurrencyTag = Parallel_if_available_tag, typename PointRange,
             typename Visitor = Default_flow_visitor>
   std::vector<Image> project(const PointRange& points, Visitor&& visitor = Visitor()) const
@@ -78,8 +77,9 @@ public:
     return internal::project_all<ConcurrencyTag>(*this, points, visitor);
   }
 
-  /// the differential, at a point, of the flow to its image; of images that are continued, that of the orthogonal
-  /// projection onto the plane of their facet. If the point has no image, the status is that of the image.
+  /// returns the differential of the flow from a point to its image. For continued images, it is the differential of
+  /// the orthogonal projection onto the plane of their facet. If the point has no image, the status is that of the
+  /// image.
   /// \pre `image` is the image of `p`
   template <typename Point>
   Flow_differential differential(const Point& p, const Image& image) const

@@ -46,18 +46,17 @@ namespace Bspline_shells {
  *   with the paths through the component.
  * - Otherwise, paths through the shell are sought at the largest facets of each component of both meshes. If each
  *   component has a path through it that crosses the other mesh, or is crossed by one through that mesh, the status is
- *   `SUCCESS`; otherwise, it is `COMPONENTS_UNKNOWN`. Points are mapped all the same.
+ * `SUCCESS`; otherwise, it is `COMPONENTS_UNKNOWN`. Points are mapped in both cases.
  *
- * The map keeps the data that both directions need, a tree of boxes for each mesh, and shares it with copies and with
- * its inverse; all of these may be used from several threads at once. The shell and the
- * meshes must outlive them, unchanged.
+ * The map stores the data that both directions need, with a tree of boxes for each mesh, and shares it with copies and
+ * with its inverse. All of these may be used concurrently. The shell and the meshes must outlive them and not change.
  *
  * \tparam Shell_ a `CGAL::Bspline_shell_3`
  * \tparam SourceMesh_ a model of `FaceListGraph`
  * \tparam TargetMesh_ a model of `FaceListGraph`
- * \tparam ProjectionToSource_ how points of the shell get to the source, with a `Hint` or without; others than the
- *   default are for polygon soups (`Soup_map_3`), and no component is asked for then
- * \tparam ProjectionToTarget_ how they get to the target
+ * \tparam ProjectionToSource_ projection of points of the shell to the source, callable with and without a `Hint`;
+ *   projections other than the default are for polygon soups (`Soup_map_3`), for which components are not compared
+ * \tparam ProjectionToTarget_ projection of points of the shell to the target
  */
 template <typename Shell_, typename SourceMesh_, typename TargetMesh_ = SourceMesh_,
           typename ProjectionToSource_ = Shell_projection_3<Shell_, SourceMesh_>,
@@ -77,17 +76,17 @@ public:
   typedef typename Projection_to_target::Coordinates Coordinates;
   typedef typename boost::graph_traits<Source_mesh>::vertex_descriptor Source_vertex;
 
-  /// prepares the map. Both meshes must have triangles only: if not, all images have the status `INVALID_MESH`.
-  /// \param shell a shell; if it has none, all images have the status `NO_SHELL`
-  /// \param source a mesh in it
-  /// \param target another one
+  /// prepares the map. If a mesh has facets that are not triangles, all images have the status `INVALID_MESH`.
+  /// \param shell a shell; if it is not valid (`!shell`), all images have the status `NO_SHELL`
+  /// \param source a mesh in the shell
+  /// \param target another mesh in the shell
   /// \param np_source
   ///   \cgalNamedParamsBegin
   ///     \cgalParamNBegin{vertex_point_map}
-  ///       \cgalParamDescription{of the source}
+  ///       \cgalParamDescription{vertex point map of the source}
   ///     \cgalParamNEnd
   ///     \cgalParamNBegin{tolerance}
-  ///       \cgalParamDescription{of the tracing, as for `Gradient_flow_3`, user units}
+  ///       \cgalParamDescription{tolerance of the tracing, as for `Gradient_flow_3`, user units}
   ///       \cgalParamType{`double`}
   ///       \cgalParamDefault{`Gradient_flow_3::default_tolerance()`}
   ///     \cgalParamNEnd
@@ -95,7 +94,7 @@ public:
   /// \param np_target
   ///   \cgalNamedParamsBegin
   ///     \cgalParamNBegin{vertex_point_map}
-  ///       \cgalParamDescription{of the target}
+  ///       \cgalParamDescription{vertex point map of the target}
   ///     \cgalParamNEnd
   ///   \cgalNamedParamsEnd
   template <typename T1 = bool, typename Tag1 = internal_np::all_default_t, typename Base1 = internal_np::No_property,
@@ -107,7 +106,7 @@ public:
                   prepare<Projection_to_target>(shell, target, np_target, tolerance(np_source)))
   {}
 
-  // they would dangle
+  // Temporaries would dangle.
   template <typename... NP>
   Shell_map_3(const Shell&&, const Source_mesh&, const Target_mesh&, const NP&...) = delete;
   template <typename... NP>
@@ -115,7 +114,7 @@ public:
   template <typename... NP>
   Shell_map_3(const Shell&, const Source_mesh&, const Target_mesh&&, const NP&...) = delete;
 
-  /// the map between the targets of two projections in the same shell
+  /// constructs the map between the targets of two projections in the same shell
   Shell_map_3(Projection_to_source to_source, Projection_to_target to_target)
     : m_to_source(std::move(to_source)), m_to_target(std::move(to_target))
   {
@@ -126,44 +125,44 @@ public:
       m_status = compare_components();
   }
 
-  /// `SUCCESS`, or the status of all images. With `COMPONENTS_UNKNOWN`, points are mapped all the same.
+  /// returns `SUCCESS`, or the status of all images. With `COMPONENTS_UNKNOWN`, points are mapped nevertheless.
   Flow_status status() const { return m_status; }
-  /// whether points are mapped; each image then has its own status
+  /// returns whether points are mapped; each image then has its own status
   bool maps_points() const { return m_status == Flow_status::SUCCESS || m_status == Flow_status::COMPONENTS_UNKNOWN; }
 
   const Shell& shell() const { return m_to_target.shell(); }
   const Source_mesh& source() const { return m_to_source.target().mesh(); }
   const Target_mesh& target() const { return m_to_target.target().mesh(); }
-  const Projection_to_source& to_source() const { return m_to_source; } ///< for points anywhere in the shell
-  const Projection_to_target& to_target() const { return m_to_target; } ///< for points anywhere in the shell
+  const Projection_to_source& to_source() const { return m_to_source; } ///< projection for points anywhere in the shell
+  const Projection_to_target& to_target() const { return m_to_target; } ///< projection for points anywhere in the shell
 
-  /// Returns the map along the same curves in the other direction. Takes constant time.
+  /// returns the map along the same curves in the other direction, in constant time
   Shell_map_3<Shell, Target_mesh, Source_mesh, Projection_to_target, Projection_to_source> inverse() const
   {
     return { m_to_target, m_to_source, m_status };
   }
 
-  /// the point, in coordinates, of a location on the source
+  /// returns the point of a location on the source
   Coordinates point(const Source_location& location) const
   {
     return m_to_source.target().point(m_to_source.target().facet_of(location.first), location.second);
   }
 
-  /// the same, but of the truncated source, where the shell replaces tips of it: the point from which the curve is
-  /// traced
+  /// returns the point from which the curve through a location is traced; it lies on the truncated source if the shell
+  /// replaces tips
   Coordinates traced_point(const Source_location& location) const
   {
     return m_to_source.target().traced_point(m_to_source.target().facet_of(location.first), location.second);
   }
 
-  /// the image on the target of a location on the source
+  /// returns the image on the target of a location on the source
   Target_image operator()(const Source_location& location) const
   {
     if(!maps_points()) return refused();
     return m_to_target(traced_point(location));
   }
 
-  /// the image on the target of a vertex of the source
+  /// returns the image on the target of a vertex of the source
   /// \pre the vertex has a facet
   Target_image operator()(Source_vertex v) const
   {
@@ -171,9 +170,9 @@ public:
     return (*this)(Polygon_mesh_processing::locate_vertex<double>(v, source()));
   }
 
-  /// the differential of the map at a location, as that of the flow: `Flow_differential::onto_plane()` with the normal
-  /// of the facet of the image, or `Flow_differential::onto_level_set()`. If the location has no image, the status is
-  /// that of the image.
+  /// returns the differential of the map at a location, as that of the flow. Apply `Flow_differential::onto_plane()`
+  /// with the normal of the facet of the image, or `Flow_differential::onto_level_set()`. If the location has no image,
+  /// the status is that of the image.
   /// \pre `image` is the image of `location`
   Flow_differential differential(const Source_location& location, const Target_image& image) const
   {
@@ -184,7 +183,7 @@ public:
     return d;
   }
 
-  /// the images of many locations, as `Shell_projection_3::project()`.
+  /// returns the images of many locations, like `Shell_projection_3::project()`.
   /// \tparam LocationRange a random access range of `Source_location`
   template <typename ConcurrencyTag = Parallel_if_available_tag, typename LocationRange,
             typename Visitor = Default_flow_visitor>
@@ -228,16 +227,16 @@ private:
     return are_shared ? Flow_status::SUCCESS : Flow_status::COMPONENTS_UNKNOWN;
   }
 
-  // The triangles that close an open mesh in the shell count as part of it. For other open meshes, crossings depend on
-  // the path.
+  // Returns whether a mesh is closed, or is closed by the triangles of the shell. For other open meshes, crossings
+  // depend on the path.
   template <typename Target>
   bool is_closed(const Target& target) const
   {
     return target.traced_facets().is_closed() || has_border_of_closing(target);
   }
 
-  // `OTHER_COMPONENTS` if a component of the shell holds no part of a mesh, `COMPONENTS_UNKNOWN` if all paths through
-  // it are degenerate, and no vertex is in it; otherwise `SUCCESS`.
+  // Returns `OTHER_COMPONENTS` if a component of the shell contains no part of a mesh, `COMPONENTS_UNKNOWN` if all
+  // paths through it are degenerate and no vertex is in it, and otherwise `SUCCESS`.
   // \pre the shell is certified, and `is_closed()` holds
   template <typename Target>
   Flow_status find_missed_component(const Target& target) const
@@ -273,8 +272,8 @@ private:
       return worst;
     };
     if(found() == Flow_status::SUCCESS || !shell().proved_cover()) return found();
-    // Meshes without a certificate may be there, and not be counted. Where components of the shell share one of the
-    // cover, it cannot tell which of them a vertex is in.
+    // Crossings may miss meshes without a certificate, so vertices are located, too. If components of the shell share a
+    // component of the cover, the cover cannot assign a vertex to one of them.
     std::vector<char> has_boxes(is_missed.size(), 0);
     for(const Cover_box& box : *shell().proved_cover())
       if(box.component < has_boxes.size()) has_boxes[box.component] = 1;

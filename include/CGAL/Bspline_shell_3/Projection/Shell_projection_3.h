@@ -47,19 +47,19 @@ struct Projected_point
   /// facet and barycentric coordinates
   Location location = Location(boost::graph_traits<TriangleMesh>::null_face(), {});
   Point_3 point;    ///< in user coordinates
-  double value = 0; ///< of the field at the image: the parameter along the curve
+  double value = 0; ///< value of the field at the image: the parameter along the curve
   /// \name Estimated errors
-  /// In user units, to first order; 0 where no curve was traced, NaN where they are not known.
+  /// In user units, to first order; 0 if no curve was traced, NaN if unknown.
   /// @{
   double error = 0; ///< distance from the exact image; at most the tolerance
-  /// Distance of the point from the exact curve through the image: how far from it the way back ends, across the curve.
-  /// More than the tolerance only where curves approach each other so much that `double`s do not distinguish them.
+  /// Distance of the point from the exact curve through the image: the error of the way back, across the curve. It
+  /// exceeds the tolerance only where curves approach each other so closely that `double`s do not distinguish them.
   double error_of_way_back = 0;
   /// @}
-  /// The image was found by the smallest distance, beyond what the shell says anything about. Only projections between
-  /// a polygon soup and its proxy do so (`Soup_projection_3`, `Proxy_projection_3`).
+  /// Whether the image is the nearest point, because the shell does not define an image. Only projections between a
+  /// polygon soup and its proxy yield such images (`Soup_projection_3`, `Proxy_projection_3`).
   bool is_continued = false;
-  /// The curve misses an open mesh, by less than the tolerance: the image was moved to the border.
+  /// Whether the curve misses an open mesh by less than the tolerance, and the image was moved to the border.
   bool is_snapped = false;
 
   explicit operator bool() const { return status == Flow_status::SUCCESS; }
@@ -70,15 +70,15 @@ struct Projected_point
  *
  * \brief moves points of a shell along the integral curves of its field onto a mesh.
  *
- * If the mesh is certified (`Shell_certificate_3`), each curve meets it once, and so every point of the shell has one
- * image. It is traced in `double`s: each step is controlled so that the image is found up to a tolerance, and what
- * cannot be found so has a status that says why. A curve that the certificate says nothing about is followed just as
- * well, as far as it stays in the shell; where it meets the mesh several times, the image is one of the hits that have
- * the gradient behind them.
+ * If the mesh is certified (`Shell_certificate_3`), each curve meets it once, and every point of the shell has one
+ * image. Curves are traced in `double`s. Steps are controlled such that the image is found up to a tolerance;
+ * otherwise, the status is the reason. Curves of uncertified meshes are traced in the same way while they stay in the
+ * shell. If such a curve meets the mesh several times, the image is one of the hits at facets that face along the
+ * gradient.
  *
- * Const member functions may be called from several threads at once. Points that are projected together begin at each
- * other's facets; the result does not depend on the number of threads. If each curve meets the mesh once, it depends on
- * the other points by the tolerance at most; otherwise they may decide which of the hits is the image.
+ * Const member functions may be called concurrently. Points that are projected together use each other's facets as
+ * starting points. The result does not depend on the number of threads. If each curve meets the mesh once, the other
+ * points affect an image by the tolerance at most; otherwise, they may determine which hit is the image.
  *
  * \tparam Shell a `CGAL::Bspline_shell_3`
  * \tparam TriangleMesh a model of `FaceListGraph`
@@ -93,29 +93,28 @@ public:
   typedef typename Image::Location Location;
   typedef typename Target::Coordinates Coordinates;
 
-  /// where the search begins: the facet of the last image, as a number of `Projection_target_3::traced_facets()`.
-  /// Points that come one after the other, near each other, take less time with it. Use one hint for each sequence of
-  /// points and thread.
+  /// start of the search: the facet of the last image, as a number of `Projection_target_3::traced_facets()`. It saves
+  /// time for sequences of points that are close to each other. Use one hint for each sequence of points and thread.
   struct Hint
   {
     typename Target::Index facet = Target::npos;
   };
 
   /// prepares the projection to a mesh of triangles; with other facets, all images have the status `INVALID_MESH`.
-  /// Takes the time of sorting facets into a tree; the object may be used from several threads at once.
-  /// \param shell a shell; if it has none, all images have the status `NO_SHELL`
+  /// Sorts the facets into a tree. The object may be used concurrently.
+  /// \param shell a shell; if it is not valid (`!shell`), all images have the status `NO_SHELL`
   /// \param mesh the mesh to project to
   /// \param np optional named parameters
   ///   \cgalNamedParamsBegin
   ///     \cgalParamNBegin{vertex_point_map}
-  ///       \cgalParamDescription{of the mesh}
+  ///       \cgalParamDescription{vertex point map of the mesh}
   ///     \cgalParamNEnd
   ///     \cgalParamNBegin{tolerance}
-  ///       \cgalParamDescription{as below}
+  ///       \cgalParamDescription{as for the constructor below}
   ///       \cgalParamType{`double`}
   ///     \cgalParamNEnd
   ///   \cgalNamedParamsEnd
-  /// \pre `shell` and `mesh` outlive this object, unchanged
+  /// \pre `shell` and `mesh` outlive this object and do not change
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   Shell_projection_3(const Shell& shell, const TriangleMesh& mesh,
                      const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
@@ -129,40 +128,40 @@ public:
       CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, parameter_tags::tolerance), 0.))
   {}
 
-  // they would dangle
+  // Temporaries would dangle.
   template <typename... NP>
   Shell_projection_3(const Shell&&, const TriangleMesh&, const NP&...) = delete;
   template <typename... NP>
   Shell_projection_3(const Shell&, const TriangleMesh&&, const NP&...) = delete;
 
-  /// projects to a mesh that is prepared already, and may be shared.
+  /// prepares the projection to a mesh that is already prepared and may be shared.
   /// \pre `shell` outlives this object, and `target` is not null
-  /// \param shell a shell; if it has none, all images have the status `NO_SHELL`
+  /// \param shell a shell; if it is not valid (`!shell`), all images have the status `NO_SHELL`
   /// \param target the mesh to project to
-  /// \param tolerance how far an image may be from the exact one, by the estimate of `Gradient_flow_3`, and from the
-  ///   end of the curve that was traced; user units; 0 stands for the default of `Gradient_flow_3`
+  /// \param tolerance largest distance of an image from the exact one, as estimated by `Gradient_flow_3`, and from the
+  ///   end of the traced curve; user units; 0 stands for the default of `Gradient_flow_3`
   Shell_projection_3(const Shell& shell, std::shared_ptr<const Target> target, double tolerance = 0)
     : m_shell(&shell), m_target(std::move(target)),
       m_tolerance(tolerance > 0 ? tolerance : Gradient_flow_3<Shell>::default_tolerance(shell))
   {
     CGAL_precondition(m_target != nullptr);
   }
-  Shell_projection_3(const Shell&&, std::shared_ptr<const Target>, double = 0) = delete; // it would dangle
+  Shell_projection_3(const Shell&&, std::shared_ptr<const Target>, double = 0) = delete; // would dangle
 
   const Shell& shell() const { return *m_shell; }
   const Target& target() const { return *m_target; }
   double tolerance() const { return m_tolerance; }
 
-  /// the image of a point.
-  /// \tparam Point has three coordinates `p[0]`, `p[1]`, `p[2]`
+  /// returns the image of a point.
+  /// \tparam Point a type with the coordinates `p[0]`, `p[1]`, `p[2]`
   template <typename Point>
   Image operator()(const Point& p) const
   {
     Hint hint;
     return (*this)(p, hint);
   }
-  /// the same, up to the tolerance if the curve meets the mesh once.
-  /// \param hint any; it becomes the facet of the image, if there is one
+  /// returns the image of a point. If the curve meets the mesh once, the hint affects it by the tolerance at most.
+  /// \param hint any hint; set to the facet of the image, if there is one
   template <typename Point>
   Image operator()(const Point& p, Hint& hint) const
   {
@@ -172,7 +171,8 @@ public:
       return image;
     }
     const Coordinates start = internal::rounded_coordinates(p);
-    // vertices on the border of an open mesh are on the borders of all that the shell maps it to
+    // A border vertex of an open mesh is its own image: all meshes that the shell maps to each other share their
+    // borders.
     if(m_shell->closing() && m_shell->closing()->border_point(start) != Shell_closing_3::npos)
       if(const auto* corner = m_target->border_corner(start)) {
         const Point_3 point(start[0], start[1], start[2]);
@@ -207,11 +207,11 @@ public:
     return image;
   }
 
-  /// the images of many points.
+  /// returns the images of many points.
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
   /// \tparam PointRange a random access range of points
   /// \tparam Visitor a model of `FlowVisitor`
-  /// \return as many images, in the same order; those that were not sought because the visitor stopped are `CANCELED`
+  /// \return the images in the same order; images that were not computed because the visitor stopped are `CANCELED`
   template <typename ConcurrencyTag = Parallel_if_available_tag, typename PointRange,
             typename Visitor = Default_flow_visitor>
   std::vector<Image> project(const PointRange& points, Visitor&& visitor = Visitor()) const
@@ -219,9 +219,10 @@ public:
     return internal::project_all<ConcurrencyTag>(*this, points, visitor);
   }
 
-  /// the differential, at a point, of the flow to its image, and from the truncated mesh to the mesh, where tips are
-  /// replaced: `Flow_differential::onto_plane()` with the facet's normal, or `Flow_differential::onto_level_set()`,
-  /// which does not jump between facets. If the point has no image, the status is that of the image.
+  /// returns the differential of the flow from a point to its image, and of the map from the truncated mesh to the mesh
+  /// if tips are replaced. Apply `Flow_differential::onto_plane()` with the facet's normal, or
+  /// `Flow_differential::onto_level_set()`, which does not jump between facets. If the point has no image, the status
+  /// is that of the image.
   /// \pre `image` is the image of `p`
   template <typename Point>
   Flow_differential differential(const Point& p, const Image& image) const

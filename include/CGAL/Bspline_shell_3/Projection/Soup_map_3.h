@@ -17,11 +17,11 @@ namespace Bspline_shells {
  * \ingroup PkgBsplineShell3Projection
  *
  * \brief the map from a polygon soup, as a mesh that may intersect itself (`Soup_proxy_3::soup()`), to a mesh in the
- * shell of its proxy: the proxy itself, or what edits made of it.
+ * shell of its proxy: the proxy itself, or an edited proxy.
  *
- * Each point of the soup that is in the shell has one image on a mesh with a certificate of the shell. What the mesh's
- * points are mapped to, the other way, is what they see of the soup (`Soup_projection_3`). Attributes are transferred
- * both ways by the same functions as between two meshes; the inverse is `Soup_map_3::inverse()`.
+ * Each point of the soup that lies in the shell has one image on a mesh with a certificate of the shell. In the other
+ * direction, points of the mesh are mapped to the parts of the soup that they see (`Soup_projection_3`). Attributes are
+ * transferred in both directions by the same functions as between two meshes. The inverse is `Soup_map_3::inverse()`.
  */
 template <typename Shell, typename SoupMesh, typename TriangleMesh = SoupMesh>
 using Soup_map_3 = Shell_map_3<Shell, SoupMesh, TriangleMesh, Soup_projection_3<Shell, SoupMesh>,

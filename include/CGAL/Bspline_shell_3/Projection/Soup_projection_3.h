@@ -30,15 +30,14 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief maps points of a shell to what is seen from there of a mesh that may intersect itself, overlap, and face
+ * \brief maps points of a shell to the parts that they see of a mesh that may intersect itself, overlap, and face
  * either way.
  *
  * The image of a point is the first point of the mesh on its integral curve, from the outer surface of the shell
- * inwards; facets that the curve misses by less than 100 times the tolerance count. Where the curve leaves the shell by
- * the inner surface without meeting the mesh, the image is the point of the mesh that is nearest to where it does; it
- * is marked
- * (`Projected_point::is_continued`), and two such points may have one image. Images jump at silhouettes, where one part
- * of the mesh hides another; a curve that only touches the mesh may miss it there.
+ * inwards. Facets that the curve misses by less than 100 times the tolerance count. If the curve leaves the shell
+ * through the inner surface without meeting the mesh, the image is the point of the mesh that is nearest to the exit.
+ * Such images are marked (`Projected_point::is_continued`), and several points may share one. Images jump at
+ * silhouettes, where one part of the mesh hides another. A curve that only touches the mesh may miss it there.
  *
  * \tparam Shell a `CGAL::Bspline_shell_3`
  * \tparam TriangleMesh a model of `FaceListGraph`
@@ -53,25 +52,25 @@ public:
   typedef typename Image::Location Location;
   typedef typename Target::Coordinates Coordinates;
   struct Hint
-  {}; ///< of no use here
+  {}; ///< unused
 
-  /// as that of `Shell_projection_3`, but for the tolerance
-  /// \param tolerance of the steps along a curve. What their errors amount to where curves diverge is not estimated:
-  ///        `Projected_point::error` and `Projected_point::error_of_way_back` are NaN.
+  /// constructs a projection like `Shell_projection_3`, except for the tolerance
+  /// \param tolerance tolerance of the steps along a curve. The growth of their errors where curves diverge is not
+  ///   estimated: `Projected_point::error` and `Projected_point::error_of_way_back` are NaN.
   Soup_projection_3(const Shell& shell, std::shared_ptr<const Target> target, double tolerance = 0)
     : m_shell(&shell), m_target(std::move(target)),
       m_tolerance(tolerance > 0 ? tolerance : Gradient_flow_3<Shell>::default_tolerance(shell))
   {
     CGAL_precondition(m_target != nullptr);
   }
-  Soup_projection_3(const Shell&&, std::shared_ptr<const Target>, double = 0) = delete; // it would dangle
+  Soup_projection_3(const Shell&&, std::shared_ptr<const Target>, double = 0) = delete; // would dangle
 
   const Shell& shell() const { return *m_shell; }
   const Target& target() const { return *m_target; }
   double tolerance() const { return m_tolerance; }
 
-  /// the image of a point.
-  /// \tparam Point has three coordinates `p[0]`, `p[1]`, `p[2]`
+  /// returns the image of a point.
+  /// \tparam Point a type with the coordinates `p[0]`, `p[1]`, `p[2]`
   template <typename Point>
   Image operator()(const Point& p) const
   {
@@ -104,7 +103,7 @@ public:
     return (*this)(p);
   }
 
-  /// the images of many points, as `Shell_projection_3::project()`
+  /// returns the images of many points, like `Shell_projection_3::project()`
   template <typename ConcurrencyTag = Parallel_if_available_tag, typename PointRange,
             typename Visitor = Default_flow_visitor>
   std::vector<Image> project(const PointRange& points, Visitor&& visitor = Visitor()) const
@@ -112,8 +111,9 @@ public:
     return internal::project_all<ConcurrencyTag>(*this, points, visitor);
   }
 
-  /// the differential, at a point, of the flow to its image; of images that are continued, that of the orthogonal
-  /// projection onto the plane of their facet. If the point has no image, the status is that of the image.
+  /// returns the differential of the flow from a point to its image. For continued images, it is the differential of
+  /// the orthogonal projection onto the plane of their facet. If the point has no image, the status is that of the
+  /// image.
   /// \pre `image` is the image of `p`
   template <typename Point>
   Flow_differential differential(const Point& p, const Image& image) const

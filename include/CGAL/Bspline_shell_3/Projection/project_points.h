@@ -22,23 +22,23 @@ namespace Bspline_shells {
  *
  * \brief moves points of a shell onto a mesh, along the integral curves of the shell's field.
  *
- * For more than one call with the same mesh, `Shell_projection_3` or `Shell_map_3` keep what this function prepares: a
- * tree of boxes.
+ * If the same mesh is used in several calls, keep a `Shell_projection_3` or a `Shell_map_3`: they store the tree of
+ * boxes that this function builds.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Shell a `CGAL::Bspline_shell_3`
  * \tparam PointRange a random access range of points
  * \tparam TriangleMesh a model of `FaceListGraph`
- * \param shell a shell; if it has none, all images have the status `NO_SHELL`
+ * \param shell a shell; if it is not valid (`!shell`), all images have the status `NO_SHELL`
  * \param points the points
  * \param target a mesh of triangles
  * \param np optional named parameters
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{vertex_point_map}
- *       \cgalParamDescription{of the target}
+ *       \cgalParamDescription{vertex point map of the target}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{tolerance}
- *       \cgalParamDescription{of the tracing, as for `Gradient_flow_3`, user units}
+ *       \cgalParamDescription{tolerance of the tracing, as for `Gradient_flow_3`, user units}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{`Gradient_flow_3::default_tolerance()`}
  *     \cgalParamNEnd
@@ -46,8 +46,8 @@ namespace Bspline_shells {
  *       \cgalParamDescription{a model of `FlowVisitor`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
- * \return for each point its `Projected_point`
- * \cgalHeading{Cost} some microseconds a point and core
+ * \return the `Projected_point` of each point
+ * \cgalHeading{Cost} A few microseconds per point and core.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Shell, typename PointRange,
           typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>

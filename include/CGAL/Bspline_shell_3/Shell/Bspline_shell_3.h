@@ -33,11 +33,11 @@ class Second_order_bounds_3;
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief a cubic B-spline shell: a \f$C^2\f$ field \f$f\f$ that behaves like the signed distance to a mesh, and two
- * thresholds between which \f$f\f$ is on the mesh. The shell is \f$\{\epsilon_1 \le f \le \epsilon_2\}\f$.
+ * \brief a cubic B-spline shell: a \f$C^2\f$ field \f$f\f$ that approximates the signed distance to a mesh, and two
+ * thresholds that enclose \f$f\f$ on the mesh. The shell is the set \f$\{\epsilon_1 \le f \le \epsilon_2\}\f$.
  *
- * Shells are made by `certified_bspline_shell_3()` and `bspline_shell_3()`. Const member functions may be called from
- * several threads at once.
+ * Shells are built by `certified_bspline_shell_3()` and `bspline_shell_3()`. Const member functions may be called
+ * concurrently.
  *
  * \tparam Field_ a model of `BsplineField_3`
  * \tparam Threshold_ a model of `ShellThreshold`
@@ -57,7 +57,7 @@ public:
   typedef Bspline_shells::Level_range Level_range;
   typedef Bspline_shells::Second_order_bounds_3<Field, Threshold> Bounds;
 
-  /// no shell, for a reason
+  /// constructs an object without a shell; `report` contains the reason
   explicit Bspline_shell_3(Shell_report report = Shell_report()) : m_report(std::move(report)) {}
 
   Bspline_shell_3(Field field, Threshold inner, Threshold outer, std::vector<char> cells,
@@ -66,8 +66,8 @@ public:
                       std::move(cells), std::move(facets), std::move(report))
   {}
 
-  /// the same, with a field that is not copied
-  /// \param field is not null, and does not change
+  /// constructs a shell that shares the field instead of copying it
+  /// \pre `field` is not null and does not change
   Bspline_shell_3(std::shared_ptr<const Field> field, Threshold inner, Threshold outer, std::vector<char> cells,
                   std::vector<Level_range> facets, Shell_report report)
     : m_field(std::move(field)), m_inner(std::move(inner)), m_outer(std::move(outer)), m_cells(std::move(cells)),
@@ -77,14 +77,15 @@ public:
       m_report.status = Shell_status::THRESHOLDS_ON_OTHER_CELLS;
   }
 
-  /// between two levels, for constant thresholds
+  /// constructs a shell with constant thresholds at the two levels
   Bspline_shell_3(Field field, const Level_range& levels, std::vector<char> cells, std::vector<Level_range> facets,
                   Shell_report report)
     : Bspline_shell_3(std::move(field), Threshold(levels.min), Threshold(levels.max), std::move(cells),
                       std::move(facets), std::move(report))
   {}
 
-  /// whether there is a shell; if not, `status()` says why and no other function but `report()` may be called
+  /// returns whether there is a shell. If not, `status()` is the reason, and of the other functions only `report()` may
+  /// be called.
   explicit operator bool() const { return status() == Shell_status::SUCCESS; }
   Shell_status status() const { return m_report.status; }
   const Shell_report& report() const { return m_report; }
@@ -92,22 +93,23 @@ public:
   const Field& field() const { return *m_field; }
   const Threshold& inner_threshold() const { return m_inner; } ///< \f$\epsilon_1\f$
   const Threshold& outer_threshold() const { return m_outer; } ///< \f$\epsilon_2\f$
-  /// a constant threshold's level, user units
+  /// returns the level of a constant threshold, user units
   FT inner_level() const { return m_inner.level(); }
   FT outer_level() const { return m_outer.level(); }
-  /// the largest \f$\epsilon_2 - \epsilon_1\f$ on the mesh that the shell was built for (Eq. 5.1 of the paper), user
-  /// units
+  /// returns the largest \f$\epsilon_2 - \epsilon_1\f$ on the mesh that the shell was built for (Eq. 5.1 of the paper),
+  /// user units
   FT thickness() const
   {
     if constexpr(Threshold::is_constant) return outer_level() - inner_level();
     else return m_report.thickness;
   }
-  /// the thickness as a fraction of the longest side of the mesh's box
+  /// returns the thickness as a fraction of the longest side of the mesh's bounding box
   FT relative_thickness() const { return thickness() / m_report.unit; }
-  /// whether all claims about the mesh are proved: when the shell was built, or, for a shell that was read from a file,
-  /// by `Bspline_shells::certify()`. `Bspline_shells::Shell_certificate_3` examines any mesh at any time.
+  /// returns whether all claims about the mesh are proved. The proof is made when the shell is built, or by
+  /// `Bspline_shells::certify()` for a shell that was read from a file. `Bspline_shells::Shell_certificate_3` examines
+  /// any mesh at any time.
   bool is_certified() const { return status() == Shell_status::SUCCESS && m_report.certificate.are_all_proved(); }
-  /// the outcome in one sentence: why there is no shell, or whether it is certified
+  /// returns the outcome in one sentence: why there is no shell, or whether it is certified
   std::string message() const
   {
     if(!*this) return Bspline_shells::message(status(), m_report.invalid_parameter);
@@ -124,26 +126,27 @@ public:
              : "There is a shell that contains the mesh, but it is not certified: smaller cells would not help. The "
                "report has the places.";
   }
-  /// whether the shell may meet a cell of the field (`Bspline_shells::Shell_component`)
+  /// returns a flag for each cell of the field: whether the shell may intersect it (`Bspline_shells::Shell_component`)
   const std::vector<char>& shell_cells() const { return m_cells; }
-  /// the triangles that close the mesh that the shell was built for, if it is open, and every other mesh with the same
-  /// border; null if it is closed
+  /// returns the triangles that close the open mesh that the shell was built for, and every other mesh with the same
+  /// border; null if the mesh is closed
   const std::shared_ptr<const Bspline_shells::Shell_closing_3>& closing() const { return m_closing; }
   void set_closing(std::shared_ptr<const Bspline_shells::Shell_closing_3> closing) { m_closing = std::move(closing); }
-  /// what replaces tips of the mesh that the shell was built for, and the map between both; null if there is nothing.
-  /// It is the truncated mesh that lies in the shell; maps, edits and certificates take the other, and truncate it.
+  /// returns the parts that replace tips of the mesh that the shell was built for, and the map between both; null if no
+  /// tip is replaced. The truncated mesh lies in the shell; maps, edits and certificates take the original mesh and
+  /// truncate it.
   const std::shared_ptr<const Bspline_shells::Shell_truncation_3>& truncation() const { return m_truncation; }
   void set_truncation(std::shared_ptr<const Bspline_shells::Shell_truncation_3> truncation)
   {
     m_truncation = std::move(truncation);
   }
-  /// encloses \f$f\f$ on each facet of the mesh that the shell was built for, in the order of `faces(mesh)`; then on
-  /// those that close it, and on those of discs that replace tips
+  /// returns an enclosure of \f$f\f$ on each facet of the mesh that the shell was built for, in the order of
+  /// `faces(mesh)`; then on each triangle that closes the mesh, and on each triangle of the discs that replace tips
   const std::vector<Level_range>& facet_ranges() const { return m_facets; }
 
-  /// paths through the components of a certified shell, one or more through each: they tell which component a mesh lies
-  /// in
-  /// (`Bspline_shells::match_components()`). None if the shell is not certified.
+  /// returns one or more paths through each component of a certified shell, by which
+  /// `Bspline_shells::match_components()` finds the components that a mesh lies in. Empty if the shell is not
+  /// certified.
   std::vector<Bspline_shells::Crossing_path> component_paths() const
   {
     std::vector<Bspline_shells::Crossing_path> paths;
@@ -154,14 +157,14 @@ public:
     return paths;
   }
 
-  /// Paths that may lead through the components of the shell: candidates that a file had. None of them is proved;
-  /// each certificate of a mesh in the shell proves them first. Empty if the shell is certified.
+  /// returns paths from a file that may lead through the components of the shell. They are not proved; each certificate
+  /// of a mesh in the shell proves them first. Empty if the shell is certified.
   const std::vector<Bspline_shells::Crossing_path>& path_candidates() const { return m_path_candidates; }
   void set_path_candidates(std::vector<Bspline_shells::Crossing_path> paths) { m_path_candidates = std::move(paths); }
 
-  /// Certifies the shell with the report of a certificate of a mesh in it. Its components are those of the mesh.
-  /// `Bspline_shells::certify()` does this.
-  /// \pre all claims of the report are proved, for this field and these thresholds
+  /// certifies the shell with the report of a certificate of a mesh in it. The components of the shell are then those
+  /// of that mesh. Called by `Bspline_shells::certify()`.
+  /// \pre all claims of the report are proved for this field and these thresholds
   void set_certificate(Bspline_shells::Certificate_report report)
   {
     CGAL_precondition(report.are_all_proved());
@@ -170,13 +173,14 @@ public:
     m_path_candidates.clear();
   }
 
-  /// the boxes of the cover by which it was proved, when the shell was certified, that it has no critical point:
-  /// certificates of other meshes in the shell reuse it. Empty if that was not proved, and for shells that were read
+  /// returns the boxes of the cover by which the certificate of the shell proved that it has no critical point.
+  /// Certificates of other meshes in the shell reuse them. Empty if this claim was not proved; also for shells read
   /// from a file, until they are certified.
   const std::shared_ptr<const std::vector<Bspline_shells::Cover_box> >& proved_cover() const { return m_cover; }
-  /// \pre the certificate of a mesh in this shell has this cover, and proved the claim on the gradient by it; it is the
-  ///   one of `report()`, or the least gradient in that is zero, and found out when it is needed
-  /// \post the shell may meet the cells of the cover, and no others
+  /// \pre the cover belongs to a certificate of a mesh in this shell that proved the gradient claim with it. That
+  ///   certificate is the one of `report()`; otherwise, `least_gradient` of `report()` is zero, and the bound is
+  ///   computed on demand.
+  /// \post `shell_cells()` marks exactly the cells of the cover
   void set_proved_cover(std::vector<Bspline_shells::Cover_box> boxes)
   {
     CGAL_precondition(m_report.certificate.verdict(Bspline_shells::Claim::GRADIENT) == Bspline_shells::Verdict::PROVED);
@@ -186,15 +190,15 @@ public:
     m_cover = std::make_shared<const std::vector<Bspline_shells::Cover_box> >(std::move(boxes));
   }
 
-  /// bounds of the field on cells, from the certificate by which the shell was built: certificates and edits of meshes
-  /// use them, and add those of cells that are met first. Up to 425 bytes for each cell of the field. Null for shells
-  /// that no certificate has examined.
+  /// returns bounds of the field on cells, computed by the certificate with which the shell was built. Certificates and
+  /// edits of meshes use them and add those of further cells. They take up to 425 bytes per cell of the field. Null for
+  /// shells that no certificate has examined.
   const std::shared_ptr<const Bounds>& cell_bounds() const { return m_cell_bounds; }
-  /// \pre `bounds` are those of `field()`, the same object, and of the thresholds
+  /// \pre `bounds` belong to this `field()` object and to the thresholds
   void set_cell_bounds(std::shared_ptr<const Bounds> bounds) { m_cell_bounds = std::move(bounds); }
 
-  /// the side of the shell that `p` is on: bounded means in it. Points outside the field's domain are outside, and
-  /// so are all points if there is no shell. The answer is that of `double` arithmetic.
+  /// returns the side of the shell that `p` is on; `ON_BOUNDED_SIDE` means inside the shell. Points outside the field's
+  /// domain are outside the shell, and so are all points if there is no shell. Evaluated in `double` arithmetic.
   Bounded_side bounded_side(const Point_3& p) const
   {
     if(!*this) return ON_UNBOUNDED_SIDE;
@@ -207,7 +211,7 @@ public:
   }
 
 private:
-  // shared by copies, as what refers to it is
+  // shared by copies, like the objects that refer to it
   std::shared_ptr<const Field> m_field = std::make_shared<const Field>();
   Threshold m_inner, m_outer;
   std::vector<char> m_cells;

@@ -22,12 +22,12 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Shell
-/// the honest answer to a question that is decided in bounded time
+/// the verdict on a claim, reached in bounded time
 enum class Verdict
 {
-  PROVED,   ///< it holds, rigorously
-  REFUTED,  ///< it does not hold: there is a witness
-  UNDECIDED ///< the bounds were not tight enough; there is a place
+  PROVED,   ///< rigorously proved
+  REFUTED,  ///< refuted by a witness
+  UNDECIDED ///< the bounds were not tight enough at some place
 };
 
 inline const char* name(Verdict verdict)
@@ -43,12 +43,12 @@ inline const char* name(Verdict verdict)
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief how often each tier of a predicate decided.
+ * \brief counts how often each tier of a predicate decided.
  */
 struct Predicate_statistics
 {
-  std::size_t by_cell = 0; ///< coefficients of a whole cell
-  std::size_t by_form = 0; ///< coefficients on a part of the triangle
+  std::size_t by_cell = 0; ///< by the coefficients of a whole cell
+  std::size_t by_form = 0; ///< by the coefficients on a part of the triangle
   std::size_t subdivisions = 0;
 
   Predicate_statistics& operator+=(const Predicate_statistics& o)
@@ -63,13 +63,13 @@ struct Predicate_statistics
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief the five claims that together make the integral curves of the field map a mesh one-to-one.
+ * \brief the five claims that together imply that the integral curves of the field map a mesh one-to-one.
  */
 enum class Claim
 {
   CONTAINMENT,    ///< P1: \f$\epsilon_1 < f < \epsilon_2\f$ on every point of every facet
   TRANSVERSALITY, ///< P2: \f$n_T \cdot \nabla f > 0\f$ on every point of every closed facet \f$T\f$
-  GRADIENT,       ///< P3: the shell lies in the interior of the domain, and has no critical point
+  GRADIENT,       ///< P3: the shell lies in the interior of the domain and has no critical point
   ONE_SHEET,      ///< P4: every component of the shell contains exactly one component of the mesh
   DEGREE_ONE      ///< P5: a path through each component, from below to above, crosses the mesh once
 };
@@ -89,7 +89,7 @@ inline const char* name(Claim claim)
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief where a claim fails or is undecided, and why.
+ * \brief a place where a claim fails or is undecided, and the reason.
  */
 struct Certificate_witness
 {
@@ -97,34 +97,34 @@ struct Certificate_witness
   {
     FACET,          ///< the claim fails or is undecided on `facet`, at `point`
     OUTSIDE,        ///< a `point` of `facet` lies outside the field's domain
-    CRITICAL_POINT, ///< there certainly is one within \f$10^{-1}\f$ cells of `point`, in the shell
+    CRITICAL_POINT, ///< a critical point in the shell certainly lies within \f$10^{-1}\f$ cells of `point`
     BOX,            ///< the box around `point` in the leaf `cell` is undecided
     END_OF_DOMAIN,  ///< the cover of the shell reaches the end of the domain in the leaf `cell`
-    TWO_SHEETS,     ///< `component` and `other_component` of the mesh share a component of the cover; refuted if they
-                    ///< certainly share one of the shell
-    /// no component of the mesh was found in `component` of the shell; refuted if there certainly is none
+    /// `component` and `other_component` of the mesh share a component of the cover; refuted if they certainly share a
+    /// component of the shell
+    TWO_SHEETS,
+    /// no component of the mesh was found in `component` of the shell; refuted if there is certainly none
     EMPTY_COMPONENT,
-    OTHER_COMPONENT, ///< `component` of the mesh was found in no component of the shell; refuted if it certainly is in
-                     ///< none
-    NO_PATH,   ///< no segment through `component` was found whose count says something; `facet` is a large one of it
-    CROSSINGS, ///< the path through `component` that goes through `facet` at `point` crosses the mesh `count` times
+    /// `component` of the mesh was found in no component of the shell; refuted if it certainly lies in none
+    OTHER_COMPONENT,
+    NO_PATH,   ///< no segment through `component` with a conclusive count was found; `facet` is one of its large facets
+    CROSSINGS, ///< the path through `component` that passes through `facet` at `point` crosses the mesh `count` times
     SHELL_CROSSINGS,   ///< a path through `component` of the shell, near `point`, crosses the mesh `count` times
-    CONTAINMENT_NEEDED ///< the claim was not examined, as containment is not proved
+    CONTAINMENT_NEEDED ///< the claim was not examined because containment is not proved
   };
   static constexpr std::size_t none = std::size_t(-1);
 
   Claim claim;
   Verdict verdict;
   Reason reason;
-  /// position in `faces(mesh)`, if `part` is `MESH`. Triangles of the closing have the numbers that follow, then those
-  /// of discs.
+  /// position in `faces(mesh)` if `part` is `MESH`; the following numbers are triangles of the closing, then of discs
   std::size_t facet = none;
   Surface_part part = Surface_part::MESH;               ///< the part of the surface that `facet` belongs to
-  std::size_t triangle = none;                          ///< of the examined mesh, part of the facet
+  std::size_t triangle = none;                          ///< triangle of the examined mesh, part of the facet
   std::size_t cell = none;                              ///< leaf cell of the field
-  std::size_t component = none, other_component = none; ///< of the mesh, in the order of their first facets
+  std::size_t component = none, other_component = none; ///< components of the mesh, in the order of their first facets
   std::array<double, 3> point = {};
-  /// encloses the field's value (containment) or slope (transversality) at the point where it refutes the claim;
+  /// enclosure of the field's value (containment) or slope (transversality) at the point that refutes the claim;
   /// otherwise empty
   Level_range value;
   int count = 0;
@@ -150,8 +150,8 @@ inline const char* name(Certificate_witness::Reason reason)
 }
 
 /// \ingroup PkgBsplineShell3Shell
-/// the place of a witness in words: its point, and its facet if it has one. Triangles of the closing and of discs are
-/// not numbered.
+/// returns the place of a witness as text: its point, and its facet if it has one. Triangles of the closing and of
+/// discs are not numbered.
 inline std::string place(const Certificate_witness& witness)
 {
   std::ostringstream out;
@@ -166,66 +166,66 @@ inline std::string place(const Certificate_witness& witness)
  * \ingroup PkgBsplineShell3Shell
  *
  * \brief a segment through a component of the shell on which the field increases from below the inner threshold to
- * above the outer one.
+ * above the outer threshold.
  */
 struct Crossing_path
 {
-  std::size_t component; ///< of the mesh
-  std::size_t triangle;  ///< of the examined mesh, through whose middle it goes
+  std::size_t component; ///< component of the mesh
+  std::size_t triangle;  ///< triangle of the examined mesh; the segment passes through its center
   std::array<double, 3> source, target;
 };
 
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief what the certificate cost, and which tier decided how much.
+ * \brief the cost of a certificate, by tier and kind of box.
  */
 struct Certificate_statistics
 {
   Predicate_statistics containment, transversality;
-  std::size_t cover_cells = 0; ///< leaf cells that the flood looked at
-  std::size_t cover_boxes = 0; ///< of the cover
+  std::size_t cover_cells = 0; ///< leaf cells that were visited by flooding
+  std::size_t cover_boxes = 0; ///< boxes of the cover
   std::size_t excluded_boxes = 0, monotone_boxes = 0, undecided_boxes = 0;
-  std::size_t critical_boxes = 0; ///< whose critical points are certainly beyond a threshold
-  std::size_t deepest_box = 0;    ///< halvings
+  std::size_t critical_boxes = 0; ///< boxes whose critical points are certainly beyond a threshold
+  std::size_t deepest_box = 0;    ///< largest number of halvings of a box
   double seconds = 0;
 };
 
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief what a certificate says.
+ * \brief the results of a certificate.
  */
 struct Certificate_report
 {
   std::array<Verdict, 5> verdicts = { { Verdict::UNDECIDED, Verdict::UNDECIDED, Verdict::UNDECIDED, Verdict::UNDECIDED,
-                                        Verdict::UNDECIDED } }; ///< in the order of `Claim`
-  /// places where a claim is not proved: of each claim the first `max_witnesses`
+                                        Verdict::UNDECIDED } }; ///< verdicts in the order of `Claim`
+  /// places where a claim is not proved: the first `max_witnesses` of each claim
   std::vector<Certificate_witness> witnesses;
-  /// of each claim, those that are left out of the list included
+  /// number of witnesses of each claim, including those that are not listed
   std::array<std::size_t, 5> number_of_witnesses = {};
   static constexpr std::size_t max_witnesses = 256;
   /// for each component of the mesh, the component of the shell that certainly contains it, or
-  /// `Certificate_witness::none`. The components of a shell are numbered like those of the mesh that it was built for.
+  /// `Certificate_witness::none`. Components of a shell are numbered like those of the mesh that it was built for.
   std::vector<std::size_t> components;
   /// a path through each component of the mesh for which degree one is proved
   std::vector<Crossing_path> paths;
-  /// more paths through the same components, for meshes that meet one of the former in an edge or a vertex
+  /// more paths through the same components, for meshes that intersect a path of `paths` in an edge or a vertex
   std::vector<Crossing_path> spare_paths;
   /// a lower bound of \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved
   double least_gradient = 0;
   /// an upper bound of \f$|\nabla f|\f$ on the cells of the cover; infinite if there is none
   double greatest_gradient = std::numeric_limits<double>::infinity();
-  /// how far, in user units, a point can be from its image on any other certified mesh: the length of an integral curve
-  /// in the shell is at most this. Infinite if the gradient claim is not proved. The certificate has one for each
-  /// facet.
+  /// upper bound of the distance between a point and its image on any other certified mesh: the largest length of an
+  /// integral curve in the shell, user units. Infinite if the gradient claim is not proved.
+  /// `Shell_certificate_3::displacement_bounds()` returns a bound for each facet.
   double displacement_bound = std::numeric_limits<double>::infinity();
-  /// a lower bound, in radians, of the angle at which integral curves pass through facets; 0 if containment or
-  /// transversality is not proved
+  /// a lower bound of the angle between integral curves and facets, in radians; 0 if containment or transversality is
+  /// not proved
   double least_angle = 0;
   double least_cone_margin = 0; ///< smallest cone margin of a vertex (`vertex_cone_margin()`)
-  /// vertices, by their position in `vertices(mesh)`, at which no field can be transversal: exact. Larger numbers are
-  /// of vertices of the closing and of discs.
+  /// positions in `vertices(mesh)` of the vertices at which no field can be transversal (exact). Larger numbers are
+  /// vertices of the closing and of discs.
   std::vector<std::size_t> singular_vertices;
   std::size_t covers = 0; ///< number of components of the cover
   Certificate_statistics statistics;
@@ -236,13 +236,13 @@ struct Certificate_report
     return std::all_of(verdicts.begin(), verdicts.end(), [](Verdict v) { return v == Verdict::PROVED; });
   }
 
-  /// of all claims, those that are left out of the list included
+  /// returns the number of witnesses of all claims, including those that are not listed
   std::size_t total_number_of_witnesses() const
   {
     return std::accumulate(number_of_witnesses.begin(), number_of_witnesses.end(), std::size_t(0));
   }
 
-  /// adds a witness, or counts it if there are enough
+  /// adds a witness, or only counts it if the list is full
   void add(const Certificate_witness& witness)
   {
     const auto is_of_claim = [&](const Certificate_witness& w) { return w.claim == witness.claim; };
@@ -251,7 +251,7 @@ struct Certificate_report
       return;
     }
     if(witness.verdict != Verdict::REFUTED) return;
-    // what refutes the claim is listed in any case
+    // A witness that refutes the claim is always listed.
     const auto is_refuting = [&](const Certificate_witness& w) {
       return is_of_claim(w) && w.verdict == Verdict::REFUTED;
     };

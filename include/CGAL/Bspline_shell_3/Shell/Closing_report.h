@@ -16,23 +16,23 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief how an open mesh was closed.
+ * \brief reports how an open mesh was closed.
  */
 struct Closing_report
 {
   /// a cycle of border edges
   struct Hole
   {
-    std::array<double, 3> point = {}; ///< on the cycle, user units
-    std::size_t edges = 0;            ///< of the cycle
-    bool is_capped = false;           ///< filled by a cap; otherwise, a back sheet begins there
+    std::array<double, 3> point = {}; ///< a point of the cycle, user units
+    std::size_t edges = 0;            ///< number of edges of the cycle
+    bool is_capped = false;           ///< whether it is filled by a cap; otherwise, a back sheet begins there
   };
 
   std::vector<Hole> holes;
-  std::size_t sheets = 0;    ///< components of the mesh that got a back sheet
-  std::size_t triangles = 0; ///< of caps and back sheets
-  double least_offset = 0;   ///< of back sheets from the mesh, at a vertex; user units
-  double largest_offset = 0; ///< the same, where it is largest
+  std::size_t sheets = 0;    ///< number of components of the mesh with a back sheet
+  std::size_t triangles = 0; ///< number of triangles of caps and back sheets
+  double least_offset = 0;   ///< least distance of a back sheet from the mesh at a vertex, user units
+  double largest_offset = 0; ///< largest distance of a back sheet from the mesh at a vertex, user units
 
   std::size_t caps() const
   {

@@ -15,17 +15,16 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief what is known of a box.
+ * \brief the classification of a box.
  */
 enum class Box_kind : std::uint8_t
 {
-  /// not in the shell: the field is below the inner threshold on all of the closed box, or above the outer one
+  /// outside the shell: on the whole closed box, the field is below the inner threshold or above the outer one
   EXCLUDED,
-  MONOTONE,       ///< the field increases along a fixed direction on all of the closed box: no critical point
-  CRITICAL_BELOW, ///< at all critical points in the closed box, the field is below the inner threshold: none of them is
-                  ///< in the shell
-  CRITICAL_ABOVE, ///< the same above the outer threshold
-  UNDECIDED       ///< none of this was shown
+  MONOTONE,       ///< on the whole closed box, the field increases along a fixed direction: no critical point
+  CRITICAL_BELOW, ///< at all critical points in the closed box, the field is below the inner threshold
+  CRITICAL_ABOVE, ///< at all critical points in the closed box, the field is above the outer threshold
+  UNDECIDED       ///< none of the above was proved
 };
 
 /*!
@@ -38,14 +37,14 @@ struct Cover_box
   static constexpr std::uint32_t no_component = std::uint32_t(-1);
 
   std::uint32_t cell;        ///< leaf cell of the field
-  std::uint16_t position[3]; ///< of the least corner, in units of the cell's width / 2^depth
+  std::uint16_t position[3]; ///< position of the least corner, in units of the cell's width / 2^depth
   std::uint8_t depth;        ///< number of halvings
   Box_kind kind;
-  std::uint32_t component = no_component; ///< of the cover, or none: not part of it
-  /// what proves the kind: of a monotone box, the direction, whose largest component is one in size; where critical
-  /// points are beyond a threshold, the center for `values_at_critical_points()`, in units of the box
+  std::uint32_t component = no_component; ///< component of the cover; `no_component` if the box is not part of it
+  /// data that proves the kind. For a monotone box, the direction; the absolute value of its largest component is 1.
+  /// For critical points beyond a threshold, the center for `values_at_critical_points()`, in units of the box.
   std::array<double, 3> proof = {};
-  bool is_at_end = false; ///< whether it has a point at the end of the field's domain that may be in the shell
+  bool is_at_end = false; ///< whether some point of it at the end of the field's domain may be in the shell
 };
 
 } // namespace Bspline_shells

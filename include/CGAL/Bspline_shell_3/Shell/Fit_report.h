@@ -17,18 +17,18 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief how a fit went.
+ * \brief statistics of a fit.
  */
 struct Fit_report
 {
   Solver_status status = Solver_status::SUCCESS;
-  std::size_t linear_solves = 0; ///< one, and one for each Gauss-Newton step
-  std::size_t iterations = 0;    ///< of the linear solver, all solves together
-  double residual = 0;           ///< relative, of the last solve
-  /// weighted terms at the solution, in cell units, in the order of `Energy_term`
+  std::size_t linear_solves = 0; ///< 1 plus the number of Gauss-Newton steps
+  std::size_t iterations = 0;    ///< iterations of the linear solver, summed over all solves
+  double residual = 0;           ///< relative residual of the last solve
+  /// weighted terms at the solution in cell units, in the order of `Energy_term`
   std::array<double, 6> energy = {};
   double seconds_assembly = 0;
-  double seconds_solver = 0; ///< with the assembly of Gauss-Newton steps
+  double seconds_solver = 0; ///< including the assembly of Gauss-Newton steps
 };
 
 } // namespace Bspline_shells

@@ -17,31 +17,31 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief what another round of refinement has too little of.
+ * \brief the resource that the next round of refinement would exhaust.
  */
 enum class Refinement_resource
 {
   NONE,
   MEMORY,  ///< `memory_limit`
-  NUMBERS, ///< for unknowns
+  NUMBERS, ///< indices of unknowns
   EFFORT,  ///< `effort_limit`
-  ROUNDS   ///< there were as many as are allowed
+  ROUNDS   ///< the allowed number of rounds
 };
 
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief which limit ended refinement, and what another round would take, as far as can be told from the last ones.
+ * \brief the limit that ended refinement, and the estimated size of the next round.
  */
 struct Refinement_limit
 {
   Refinement_resource resource = Refinement_resource::NONE;
-  std::size_t cells = 0; ///< of that round
+  std::size_t cells = 0; ///< number of cells of the next round
   double bytes = 0;
 };
 
 /// \ingroup PkgBsplineShell3Shell
-/// \return the limit in a sentence, or nothing if there was none
+/// \return the limit in one sentence; empty if there was none
 inline std::string message(const Refinement_limit& limit)
 {
   constexpr double megabyte = 1e6;

@@ -19,21 +19,21 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief a place that stands in the way of the proof, where refinement ended without one.
+ * \brief a place where the proof failed when refinement ended.
  */
 struct Refinement_obstacle
 {
   std::array<double, 3> point = {}; ///< user units
-  double cell_width = 0;            ///< of the cell there, user units
-  /// of the mesh there (`Local_gap_3`); infinite if it is far wider than the cell
+  double cell_width = 0;            ///< width of the cell there, user units
+  /// local gap of the mesh (`Local_gap_3`), user units; infinite if it is much wider than the cell
   double gap = std::numeric_limits<double>::infinity();
-  bool is_wall = false; ///< whether it is behind facets, and not in front of them
+  bool is_wall = false; ///< whether the gap is behind facets (a wall) rather than in front of them
 };
 
 /// \ingroup PkgBsplineShell3Shell
-/// \param unit the length that the sentence gives lengths in percent of: the longest side of the mesh's box
+/// \param unit length to which the percentages of the sentence refer: the longest side of the mesh's bounding box
 ///   (`Shell_report::unit`)
-/// \return the obstacle in a sentence
+/// \return a description of the obstacle in one sentence
 inline std::string message(const Refinement_obstacle& obstacle, double unit)
 {
   constexpr double cells_across = 2;

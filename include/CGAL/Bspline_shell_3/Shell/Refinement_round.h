@@ -15,14 +15,16 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief why refinement ended.
+ * \brief the reason why refinement ended.
  */
 enum class Refinement_status
 {
-  NOT_REFINED,         ///< the cells are equal, as asked, or the shell comes from a file
-  CERTIFIED,           ///< all claims are proved, and the shell is as thin as asked
-  NOTHING_TO_REFINE,   ///< what is not proved cannot be mended by smaller cells: the certificate has the places
-  LIMIT_REACHED,       ///< a limit of memory, effort or rounds; all claims may be proved of a thicker shell than asked
+  NOT_REFINED,       ///< the cells are equal, as requested, or the shell was read from a file
+  CERTIFIED,         ///< all claims are proved, and the shell is as thin as requested
+  NOTHING_TO_REFINE, ///< smaller cells cannot help to prove the remaining claims; the certificate lists the places
+  /// a limit of memory, effort or rounds was reached. All claims may be proved for a shell that is thicker than
+  /// requested
+  LIMIT_REACHED,
   DISTANCE_NOT_FINITE, ///< the signed-distance oracle returned a value that is infinite or not a number
   SOLVER_FAILED        ///< the linear solver did not reach its tolerance
 };
@@ -47,21 +49,22 @@ inline const char* message(Refinement_status status)
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief one round of refinement: what was fitted, and what was found wanting.
+ * \brief statistics of one round of refinement.
  */
 struct Refinement_round
 {
   std::size_t cells = 0, unknowns = 0;
   int levels = 0;
-  double thickness = 0;          ///< largest minus least value on the mesh, bounded coarsely
-  std::size_t thick_cells = 0;   ///< where the field exceeds half of the thickness on the mesh
-  std::size_t sloping_cells = 0; ///< where points of facets have too small a slope or too large a value, before and
-  std::size_t sloping_cells_left = 0; ///< after small changes of the field
-  std::size_t failing_facets = 0;     ///< that did not certainly cross the field upwards afterwards
-  std::size_t undecided_cells = 0;    ///< that keep the gradient claim from being proved, and no threshold can avoid
+  double thickness = 0;        ///< largest minus least value of the field on the mesh, coarsely bounded
+  std::size_t thick_cells = 0; ///< cells where the field exceeds half of the thickness on the mesh
+  /// cells where the slope on a facet is too small or the value too large, before corrections of the field
+  std::size_t sloping_cells = 0;
+  std::size_t sloping_cells_left = 0; ///< such cells after corrections of the field
+  std::size_t failing_facets = 0;     ///< facets that the corrected field does not certainly cross upwards
+  std::size_t undecided_cells = 0;    ///< places where the gradient claim fails and that no threshold can avoid
   std::size_t marked_cells = 0;
-  bool partial = false;               ///< fitted near the cells that were split, and as it was elsewhere
-  bool examined = false;              ///< for thresholds, and by the certificate if nothing was found wanting
+  bool partial = false;               ///< whether only the neighborhood of split cells was fitted
+  bool examined = false;              ///< whether thresholds were chosen; the certificate follows if no cell fails
   std::array<double, 7> seconds = {}; ///< cells, distance, assembly, solver, slopes, bounds, certificate
 };
 

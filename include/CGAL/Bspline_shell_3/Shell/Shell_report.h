@@ -27,36 +27,36 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief how the construction of a shell went.
+ * \brief report on the construction of a shell.
  */
 struct Shell_report
 {
   Shell_status status = Shell_status::NOT_BUILT;
-  Offending_simplices offending_simplices; ///< where it failed
-  Invalid_parameter invalid_parameter;     ///< the parameter that is refused, if the status is `INVALID_PARAMETER`
+  Offending_simplices offending_simplices; ///< simplices at which the construction failed
+  Invalid_parameter invalid_parameter;     ///< the rejected parameter, if the status is `INVALID_PARAMETER`
   Closing_report closing;                  ///< how the mesh was closed, if it is open
-  Truncation_report truncation;            ///< where the mesh was truncated
-  /// of the mesh, polygons being cut into triangles; with those that close it; truncated
+  Truncation_report truncation;            ///< places where the mesh was truncated
+  /// triangles of the mesh after triangulation, closing and truncation
   std::size_t triangles = 0;
-  std::size_t components = 0;    ///< of the mesh
-  double unit = 0;               ///< longest side of the mesh's box: the paper's unit of length
-  double gamma = 0;              ///< cells, or root cells, per unit
-  std::size_t surface_cells = 0; ///< cells that the mesh enters
+  std::size_t components = 0;    ///< components of the mesh
+  double unit = 0;               ///< longest side of the mesh's bounding box: the paper's unit of length
+  double gamma = 0;              ///< number of cells, or root cells, per unit
+  std::size_t surface_cells = 0; ///< number of cells that the mesh intersects
   std::size_t cells = 0;
   std::size_t unknowns = 0;
-  int widenings = 0; ///< how often cells were added where the shell would have left them
+  int widenings = 0; ///< number of times that cells were added because the shell would have left them
   Fit_report fit;
-  Level_range edges;        ///< extrema on the edges of the clipped mesh (paper, Eq. 4.7), not rounded
+  Level_range edges;        ///< extrema on the edges of the clipped mesh (Eq. 4.7 of the paper), not rounded
   Level_range facets_bound; ///< bounds on the facets, not rounded
-  Refinement_status refinement = Refinement_status::NOT_REFINED; ///< why refinement ended
-  Refinement_limit limit;                                        ///< which one that was, if it was a limit
-  std::vector<Refinement_round> rounds;                          ///< of refinement
-  /// if that was without a proof: what stands in the way, narrowest first, a thousand at most
+  Refinement_status refinement = Refinement_status::NOT_REFINED; ///< the reason why refinement ended
+  Refinement_limit limit;                                        ///< the limit that ended refinement, if any
+  std::vector<Refinement_round> rounds;                          ///< rounds of refinement
+  /// obstacles to the proof, if refinement ended without one: narrowest first, at most 1000
   std::vector<Refinement_obstacle> obstacles;
-  Certificate_report certificate;     ///< of the mesh, if cells were refined until it held
+  Certificate_report certificate;     ///< certificate of the mesh, if cells were refined until it held
   double thickness = 0;               ///< largest difference of the thresholds on the mesh, user units
-  double narrowed_area = 0;           ///< share of the mesh's area where it is less than asked for
-  std::array<double, 6> seconds = {}; ///< per `Shell_step`
+  double narrowed_area = 0;           ///< fraction of the mesh's area where the thickness is less than requested
+  std::array<double, 6> seconds = {}; ///< time of each `Shell_step`
 
   double total_seconds() const
   {

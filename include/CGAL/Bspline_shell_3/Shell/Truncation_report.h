@@ -16,18 +16,18 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief where a mesh was truncated, and where it should have been, but could not.
+ * \brief reports where a mesh was truncated, and where truncation was required but impossible.
  */
 struct Truncation_report
 {
-  /// what became of a vertex whose facets leave little room for a common direction
+  /// the outcome at a vertex whose facets leave little room for a common direction
   enum class Outcome : unsigned char
   {
     TRUNCATED,
     ON_BORDER,   ///< not truncated: the vertex is on the border of an open mesh
-    FOLDED_EDGE, ///< not truncated: two facets at an edge face nearly opposite ways, so that no disc leaves more room
-    NO_DISC,     ///< not truncated: no disc was found that leaves more room
-    NO_SPACE     ///< not truncated: other parts of the mesh are so near, or edges so short, that rounding would decide
+    FOLDED_EDGE, ///< not truncated: two facets at an edge face nearly opposite ways, so no disc leaves more room
+    NO_DISC,     ///< not truncated: no disc that leaves more room was found
+    NO_SPACE     ///< not truncated: other parts of the mesh are so close, or edges so short, that rounding would decide
   };
 
   struct Vertex
@@ -35,13 +35,13 @@ struct Truncation_report
     std::size_t vertex = 0;           ///< position in `vertices(mesh)`
     std::array<double, 3> point = {}; ///< user units
     Outcome outcome = Outcome::TRUNCATED;
-    double radius = 0;         ///< of the ball around the vertex beyond which nothing was changed; user units
+    double radius = 0;         ///< radius of the ball around the vertex outside which nothing was changed, user units
     double margin_before = 0;  ///< `vertex_cone_margin()`
-    double margin_after = 0;   ///< the least of all vertices of the disc
-    std::size_t triangles = 0; ///< of the disc
+    double margin_after = 0;   ///< least margin of all vertices of the disc
+    std::size_t triangles = 0; ///< number of triangles of the disc
   };
 
-  std::vector<Vertex> vertices; ///< all whose margin is below what was asked for
+  std::vector<Vertex> vertices; ///< all vertices whose margin is below the requested one
 
   std::size_t number(Outcome outcome) const
   {
@@ -49,12 +49,12 @@ struct Truncation_report
     for(const Vertex& v : vertices) n += v.outcome == outcome ? 1 : 0;
     return n;
   }
-  /// the vertices that were truncated
+  /// returns the number of truncated vertices
   std::size_t truncated() const { return number(Outcome::TRUNCATED); }
 };
 
 /// \ingroup PkgBsplineShell3Shell
-/// one word
+/// returns the outcome as one word
 inline const char* name(Truncation_report::Outcome outcome)
 {
   switch(outcome) {

@@ -41,16 +41,18 @@ struct All_cells
 /*!
  * \ingroup PkgBsplineShell3Surface
  *
- * \brief makes a triangle mesh of the level set \f$\{f = level\}\f$ of a field, or of the points where it equals a
- * threshold. See `extract_shell_surface()` for the surfaces of a shell.
+ * \brief extracts a triangle mesh of the level set \f$\{f = level\}\f$ of a field, or of the points where the field
+ * equals a threshold. See `extract_shell_surface()` for the surfaces of a shell.
  *
- * Each leaf cell is cut into subcells and these into tetrahedra that also fit each other where small leaves meet larger
- * ones. Each tetrahedron that the level passes gets one or two triangles (*marching tetrahedra*). The mesh is closed
- * and 2-manifold by construction, across leaves of all sizes, also where the level set is singular; there it is that of
- * a slightly lower level. It is oriented the way the field grows: what is below the level lies behind the facets. Its
- * vertices lie on the level set up to rounding, but are kept off the ends of the tetrahedra's edges by about a thousand
- * roundings of the coordinates, so that no two coincide. Facets may be as small: write them with all digits. Parts of
- * the level set that lie within one tetrahedron, or closer together, may be missed or joined.
+ * Each leaf cell is cut into subcells, and these into tetrahedra, which also conform where small leaves meet larger
+ * ones. Each tetrahedron that the level set passes yields one or two triangles (*marching tetrahedra*). The mesh is
+ * closed and 2-manifold by construction, across leaves of all sizes and also where the level set is singular; there, it
+ * is the mesh of a slightly lower level. Facets face the direction in which the field increases: points below the level
+ * lie behind them.
+ *
+ * Vertices lie on the level set up to rounding. They are kept away from the ends of the tetrahedra's edges by about a
+ * thousand roundings of the coordinates, so that no two vertices coincide. Facets may be that small: write coordinates
+ * with all digits. Parts of the level set that lie within one tetrahedron, or closer together, may be missed or joined.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Field a model of `BsplineField_3`, with a `Cell_complex_3` or a `Cell_hierarchy_3`
@@ -60,35 +62,35 @@ struct All_cells
  *
  * \param field the field
  * \param level the level, in units of the field; or a threshold on the same cells
- * \param out the mesh, to which the level set is added; unchanged if there is none to add
+ * \param out the mesh to which the level set is added; unchanged if there is nothing to add
  * \param np optional named parameters:
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{filter}
- *       \cgalParamDescription{which cells to use, a functor `bool(Field::Cell_index)`. It selects the components of a
- *         level set by the cells that they pass. Pass `std::cref(filter)` not to copy it}
- *       \cgalParamDefault{all}
+ *       \cgalParamDescription{a functor `bool(Field::Cell_index)` that selects the cells to use, and thus the
+ *         components of a level set by the cells that they pass. Pass `std::cref(filter)` to avoid a copy.}
+ *       \cgalParamDefault{all cells}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{skip_open_components}
- *       \cgalParamDescription{whether components of the level set that leave the selected cells are left out, so that
- *         only if all do there is none}
+ *       \cgalParamDescription{whether components of the level set that leave the selected cells are omitted. If all
+ *         components leave, there is no mesh.}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{subdivision_ratio}
- *       \cgalParamDescription{subcells along each axis of a cell}
+ *       \cgalParamDescription{number of subcells along each axis of a cell}
  *       \cgalParamType{`int`}
  *       \cgalParamDefault{2}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{vertex_point_map}
- *       \cgalParamDescription{as in all of \cgal}
+ *       \cgalParamDescription{as in other \cgal packages}
  *       \cgalParamDefault{`get(CGAL::vertex_point, out)`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
  *
- * \return whether there is a mesh, or why not
+ * \return `SUCCESS`, or the reason why there is no mesh
  * \pre `subdivision_ratio` is at least 1 and at most 256
- * \cgalHeading{Cost} one look at every cell, and time and memory linear in the number of subcells of the cells that the
- * level may pass. No cell is cut finer than its own size asks for.
+ * \cgalHeading{Cost} Linear in the number of cells, and in the number of subcells of the cells that the level set may
+ *   pass. No cell is subdivided more than its own size requires.
  */
 template <typename ConcurrencyTag = Sequential_tag, typename Field, typename Level, typename TriangleMesh,
           typename CGAL_NP_TEMPLATE_PARAMETERS>

@@ -23,10 +23,10 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief the linear function on a triangle with given values at its corners.
+ * \brief interpolates values at the corners of a triangle linearly.
  *
- * Numbers (integers are rounded), `std::array`s of numbers, `CGAL::IO::Color`s (rounded, by channel), points of a
- * kernel, and all types with `T + T` and `double * T`, as vectors of a kernel and of Eigen.
+ * Values may be numbers (integers are rounded), `std::array`s of numbers, `CGAL::IO::Color`s (rounded, by channel),
+ * points of a kernel, and all types with `T + T` and `double * T`, such as vectors of a kernel and of Eigen.
  *
  * \cgalModels `AttributeInterpolation`
  */

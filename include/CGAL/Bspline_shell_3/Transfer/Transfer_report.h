@@ -18,29 +18,29 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief how the transfer of an attribute went.
+ * \brief reports the outcome of the transfer of an attribute.
  */
 struct Transfer_report
 {
-  std::size_t transferred = 0; ///< simplices of the target that got a value from the source
-  /// All others, each with a reason, by their positions in `vertices(mesh)` or, for facets and their corners, in
-  /// `faces(mesh)`, in that order. They have the `default_value()` of the call, or, without one, what they had before.
+  std::size_t transferred = 0; ///< number of simplices of the target with a value from the source
+  /// all other simplices, each with the reason: by their positions in `vertices(mesh)` or, for facets and their
+  /// corners, in `faces(mesh)`, in that order. They have the `default_value()` of the call, or keep their values if
+  /// there is none.
   std::vector<std::pair<std::size_t, Flow_status> > failures;
-  /// open meshes: simplices among those whose curves, or some of them, miss the source by less than the tolerance, and
-  /// got values from its border
+  /// open meshes: number of these simplices with values from the border of the source, because some of their curves
+  /// miss the source by less than the tolerance
   std::size_t snapped = 0;
-  /// soups and proxies: simplices of the target, by position, whose values come, in part at least, from images that are
-  /// continued
+  /// soups and proxies: positions of simplices of the target whose values depend on continued images
   /// (`Projected_point::is_continued`)
   std::vector<std::size_t> continued;
-  /// texture coordinates: facets that lie across a seam, by position. Those of their corners that are beyond it, as
-  /// seen from the facet's center, are extrapolated from this side.
+  /// texture coordinates: positions of facets that lie across a seam. Corners beyond the seam, as seen from the facet's
+  /// centroid, are extrapolated from the centroid's side.
   std::vector<std::size_t> facets_across_seams;
-  /// averages: vertices of the source, by position, whose values are in none of them as they have no image; each with a
-  /// reason
+  /// averages: positions of vertices of the source that contribute to no average, because they have no image; each with
+  /// the reason
   std::vector<std::pair<std::size_t, Flow_status> > left_out;
 
-  /// whether all simplices of the target got a value
+  /// returns whether all simplices of the target have a value from the source
   explicit operator bool() const { return failures.empty(); }
 };
 

@@ -29,14 +29,14 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Where the values at the corners of facets go on over an edge, and where they jump.
+// Finds the edges where the values at the corners of facets are continuous, and those where they jump.
 template <typename Target>
 class Seams
 {
 public:
   typedef typename Target::Index Index;
 
-  // values by halfedge: at the corner of its face at its target
+  // `values` are by halfedge: at the corner of its face at its target.
   template <typename CornerMap>
   Seams(const Target& surface, CornerMap values) : m_surface(&surface), m_is_seam(3 * surface.number_of_facets())
   {
@@ -50,10 +50,10 @@ public:
     }
   }
 
-  // Whether the values go on from facet `f` to one with an area that a point of facet `g` is on, which may be on an
-  // edge or at a vertex of it; that facet replaces `g`. Looks no further than from a facet to its neighbors, or, where
-  // the two points are so near each other that the way may as well lead around a vertex, to those that have a vertex in
-  // common with it.
+  // Returns whether the values are continuous from facet `f` to a facet with an area that contains a point of facet
+  // `g`. The point may be on an edge or at a vertex of `g`; the facet replaces `g`. Only neighbors of `f` are
+  // considered. If the two points are so close to each other that the path may also lead around a vertex, facets with a
+  // common vertex are considered, too.
   bool go_on(Index f, Index& g, const std::array<double, 3>& barycentric, bool around_vertices) const
   {
     for(Index n : facets_at(g, barycentric))
@@ -72,7 +72,7 @@ private:
     return false;
   }
 
-  // by way of facets around a vertex, not over seams
+  // Returns whether `n` is reached from `f` around a vertex, without crossing seams.
   bool is_around_vertex(Index f, Index n) const
   {
     for(int side = 0; side < 2; ++side)
@@ -90,7 +90,7 @@ private:
     return false;
   }
 
-  // the number of an edge in the facet beyond it
+  // Returns the number of an edge in the facet on its other side.
   int opposite_edge(Index facet, int edge) const
   {
     const auto& mesh = m_surface->mesh();
@@ -102,7 +102,7 @@ private:
       if(g == h) return i;
   }
 
-  // the facets that a point of `f` is on, `f` first; over edges that are no border
+  // Returns the facets that contain a point of `f`, beginning with `f`, across edges that are not on the border.
   std::vector<Index> facets_at(Index f, const std::array<double, 3>& barycentric) const
   {
     std::vector<Index> result{ f };
@@ -118,7 +118,7 @@ private:
     } else if(zeros == 2) {
       const auto& mesh = m_surface->mesh();
       auto h = halfedge(m_surface->face_of(f), mesh);
-      for(int i = 0; i < (corner + 2) % 3; ++i) h = next(h, mesh); // to the corner
+      for(int i = 0; i < (corner + 2) % 3; ++i) h = next(h, mesh); // halfedge to the corner
       for(auto g : halfedges_around_target(h, mesh))
         if(face(g, mesh) != boost::graph_traits<typename Target::Mesh>::null_face())
           result.push_back(m_surface->facet_of(face(g, mesh)));
@@ -137,22 +137,22 @@ private:
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief gives the corners of the target's facets the values that the source has there: texture coordinates, and other
+ * \brief transfers values at the corners of facets from the source to the target: texture coordinates, and other
  * attributes that jump at seams.
  *
- * Corners are represented by halfedges: a halfedge stands for the corner of its face at its target. Seams are the edges
- * of the source where the values of the two facets differ. They are kept: from the centroid of a facet of the target to
- * each of its corners, the source is followed from facet to facet, and if the way meets a seam, the value at the corner
- * is extrapolated from where it does, so that the facet is mapped to one side of the seam and not across the texture.
+ * Corners are represented by halfedges: a halfedge represents the corner of its face at its target. Seams are the edges
+ * of the source where the values of the two facets differ. Seams are preserved: from the centroid of a facet of the
+ * target to each of its corners, the source is followed from facet to facet. If this path meets a seam, the value at
+ * the corner is extrapolated from there. The facet is thus mapped to one side of the seam, and not across the texture.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Map a `Shell_map_3`
  * \tparam SourceCornerMap a model of `ReadablePropertyMap` from halfedges of the source, whose values can be compared
- *   for equality. May be read from several threads at once.
+ *   for equality. It may be read by several threads at once.
  * \tparam TargetCornerMap a model of `WritablePropertyMap` from halfedges of the target
  * \param map the map from the source to the target
- * \param source_values the attribute
- * \param target_values what gets its values
+ * \param source_values the values of the source
+ * \param target_values receives the values of the target
  * \param np optional named parameters
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{interpolation}
@@ -160,15 +160,16 @@ private:
  *       \cgalParamDefault{`Barycentric_interpolation`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{default_value}
- *       \cgalParamDescription{what all corners of facets without values get; by default they keep what they have}
+ *       \cgalParamDescription{value of all corners of facets without values from the source; by default, they keep
+ *         their values}
  *       \cgalParamType{`x`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
  *       \cgalParamDescription{a model of `FlowVisitor`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
- * \return which facets have no values from the source at their corners, and why; and which lie across seams
- * \cgalHeading{Cost} for each facet, four points to move if it meets few facets of the source, and more near seams
+ * \return the facets without values from the source, each with the reason; and the facets that lie across seams
+ * \cgalHeading{Cost} For each facet, four points are moved if it meets few facets of the source, and more near seams.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceCornerMap,
           typename TargetCornerMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -200,7 +201,7 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
   }
   const internal::Seams<Source> seams(source, source_values);
 
-  // where the values of a corner come from: weights of the corners of a facet of the source
+  // The origin of the value of a corner: weights of the corners of a facet of the source.
   struct Corner
   {
     Index facet;
@@ -214,7 +215,7 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
   };
   std::vector<Facet> facets(target.number_of_facets());
 
-  // along a facet from its centroid to a corner
+  // Follows a facet from its centroid to a corner.
   const auto follow = [&](Index n, int corner, Index from, Hint& hint, Facet& result) {
     const auto at = [&](double t) {
       Coordinates barycentric;
@@ -250,7 +251,7 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
     const Coordinates q = { image.point[0], image.point[1], image.point[2] };
     result.corners[corner] = { facet, source.position(facet, q).barycentric };
     if(t == 1) return;
-    // linear beyond: the inverse map's differential on this side
+    // Beyond the seam, values are linear, by the differential of the inverse map on this side.
     result.across = true;
     const auto& normal = source.normal(facet);
     Flow_differential d = image.is_continued ? internal::orthogonal_differential(normal)
@@ -294,10 +295,11 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
       continue;
     }
     if(facets[n].across) report.facets_across_seams.push_back(n);
-    // to the first corner
+    // halfedge to the first corner
     auto h = prev(halfedge(target.face_of(typename Target::Index(n)), map.target()), map.target());
     for(const Corner& corner : facets[n].corners) {
-      const auto g = halfedge(source.face_of(corner.facet), map.source()); // from the first corner to the second
+      // halfedge from the first corner to the second
+      const auto g = halfedge(source.face_of(corner.facet), map.source());
       const std::array<Value, 3> values = { { get(source_values, prev(g, map.source())), get(source_values, g),
                                               get(source_values, next(g, map.source())) } };
       put(target_values, h, interpolate(values, corner.weights));

@@ -29,11 +29,11 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief gives each facet of the target the label that most of it has on the source: materials, parts, boundary
- * conditions.
+ * \brief transfers labels of facets from the source to the target, such as materials, parts and boundary conditions.
+ * Each facet of the target gets the label that most of it has on the source.
  *
- * A facet is sampled at the centroids of equal triangles that it is cut into; the label that most of them have is
- * taken, and among equals that of the facet's centroid, or else the one that comes first.
+ * A facet is sampled at the centroids of the equal triangles into which it is cut. It gets the most frequent label;
+ * among equals, that of the facet's centroid, or else the first one.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Map a `Shell_map_3`
@@ -41,26 +41,26 @@ namespace Bspline_shells {
  *   equality
  * \tparam TargetLabelMap a model of `WritablePropertyMap` from faces of the target
  * \param map the map from the source to the target
- * \param source_labels the labels
- * \param target_labels what gets them
+ * \param source_labels the labels of the source
+ * \param target_labels receives the labels of the target
  * \param np optional named parameters
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{samples_per_facet}
- *       \cgalParamDescription{at least so many samples, up to the next square. With 1, the label is that at the
+ *       \cgalParamDescription{least number of samples, rounded up to the next square. With 1, the label is that at the
  *         centroid.}
  *       \cgalParamType{`std::size_t`}
  *       \cgalParamDefault{4}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{default_value}
- *       \cgalParamDescription{what facets without a label get; by default they keep what they have}
+ *       \cgalParamDescription{value of facets without a label from the source; by default, they keep their labels}
  *       \cgalParamType{`x`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
  *       \cgalParamDescription{a model of `FlowVisitor`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
- * \return which facets have no label from the source, as none of their samples arrived, and why that at the centroid
- *   did not
+ * \return the facets without a label from the source, because none of their samples has an image; each with the reason
+ *   for its centroid
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceLabelMap,
           typename TargetLabelMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -74,7 +74,7 @@ Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_label
   auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
   const std::size_t wanted = choose_parameter(get_parameter(np, parameter_tags::samples_per_facet), std::size_t(4));
 
-  // the centroid first, which has no vote if it is none of a part
+  // The centroid comes first. If it is not the centroid of a part, it has no vote.
   const int parts = internal::parts_along_edge(wanted);
   std::vector<std::array<double, 3> > samples = internal::centroids_of_parts(parts);
   const bool has_centroid = parts % 3 != 0;

@@ -36,13 +36,13 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief moves tangent vectors at points of one surface to those of another, for `transfer_vertex_attribute()` with
- * `mapping()`: the images are tangent to the level sets of the field, and so do not jump from facet to facet. What a
- * vector has along the curve is lost.
+ * \brief maps tangent vectors at points of one surface to those of another, for `transfer_vertex_attribute()` with
+ * `mapping()`. Images are tangent to the level sets of the field, so that they do not jump from facet to facet.
+ * Components along the curve are lost.
  */
 struct Tangent_vector_mapping
 {
-  /// \tparam Vector has three coordinates and is constructible from three
+  /// \tparam Vector a type with three coordinates, and constructible from three coordinates
   template <typename Vector>
   Vector operator()(const Vector& v, const Flow_differential& differential) const
   {
@@ -53,9 +53,9 @@ struct Tangent_vector_mapping
 
 namespace internal {
 
-// The direction of which all rotations by 2 pi / N about the normal fit the images of the N vectors of a symmetric
-// field best, in the sense of the representation by N-th powers, next to the image of the first. Its length is the
-// geometric mean of theirs.
+// Returns the vector whose rotations by 2 pi / N about the normal best fit the images of the N vectors of a symmetric
+// field. The fit is that of N-th powers. Of the rotations, the one closest to the image of the first vector is
+// returned. Its length is the geometric mean of theirs.
 inline Eigen::Vector3d map_symmetric_vector(const Eigen::Matrix3d& differential, const Eigen::Vector3d& source_normal,
                                             const Eigen::Vector3d& target_normal, const Eigen::Vector3d& vector,
                                             int symmetry)
@@ -76,7 +76,7 @@ inline Eigen::Vector3d map_symmetric_vector(const Eigen::Matrix3d& differential,
   return std::exp(log_length / symmetry) * (std::cos(angle) * x + std::sin(angle) * y);
 }
 
-// what a point of the target gets from a field on the source
+// The vector of a field on the source at a point of the target.
 struct Tangent_sample
 {
   Eigen::Vector3d vector = Eigen::Vector3d::Zero();
@@ -84,8 +84,8 @@ struct Tangent_sample
   bool is_continued = false, is_snapped = false;
 };
 
-// `prepare(differential)` makes the differential that of the map to the target, and returns the normal of the plane in
-// which the image is to be
+// `prepare(differential)` converts the differential to that of the map to the target, and returns the normal of the
+// plane of the image.
 template <typename Map, typename Point, typename Prepare>
 Tangent_sample tangent_sample(const Map& map, const Tangent_field& field, int symmetry, const Point& p,
                               typename Map::Projection_to_source::Hint& hint, const Prepare& prepare)
@@ -125,16 +125,17 @@ std::vector<Eigen::Vector3d> eigen_vectors(VectorMap vectors, const Range& range
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief moves tangent vectors at the facets of the source to those of the target, by the differential of the map:
- * vector fields, line fields, cross fields and others that are symmetric under rotations.
+ * \brief transfers tangent vectors of facets from the source to the target, by the differential of the map: vector
+ * fields, line fields, cross fields and other fields that are symmetric under rotations.
  *
- * The vector of a target's facet is the image of that of the source's facet where the curve through its centroid meets
- * it; it is in the facet's plane. For a symmetric field, given by one of its vectors for each facet, all of them are
- * moved, and as they need not be symmetric then, the symmetric ones that fit them best are returned.
+ * The vector of a facet of the target is the image of the vector of the source where the curve through the facet's
+ * centroid meets it. The image lies in the facet's plane. A symmetric field is given by one of its vectors for each
+ * facet. All of its vectors are mapped; as their images need not be symmetric, the symmetric vectors that fit them best
+ * are returned.
  *
- * Between meshes of different resolution, that loses much. To a *coarser* mesh, `samples_per_facet` averages what a
- * facet covers. To a *finer* one, `linear_reconstruction` makes a linear field of the vectors of a facet and its
- * neighbors, instead of one vector for all facets that come from the same one.
+ * Between meshes of different resolution, much detail is lost. To a *coarser* mesh, `samples_per_facet` averages the
+ * vectors that a facet covers. To a *finer* mesh, `linear_reconstruction` computes a linear field from the vectors of a
+ * facet and its neighbors. Otherwise, all facets that come from the same facet have one vector.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Map a `Shell_map_3`
@@ -144,7 +145,7 @@ std::vector<Eigen::Vector3d> eigen_vectors(VectorMap vectors, const Range& range
  *   from three numbers
  * \param map the map from the source to the target
  * \param source_vectors vectors in the planes of their facets
- * \param target_vectors what gets their images
+ * \param target_vectors receives their images
  * \param np optional named parameters
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{symmetry}
@@ -152,28 +153,29 @@ std::vector<Eigen::Vector3d> eigen_vectors(VectorMap vectors, const Range& range
  *       \cgalParamType{`int`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{samples_per_facet}
- *       \cgalParamDescription{at least so many samples, up to the next square, at the centroids of equal parts of the
- *         target's facet, the mean of which it gets: that of N-th powers for a symmetric field, with the mean length}
+ *       \cgalParamDescription{least number of samples, rounded up to the next square, at the centroids of equal parts
+ *         of the target's facet. The facet gets their mean: for a symmetric field, that of the N-th powers, with the
+ *         mean length.}
  *       \cgalParamType{`std::size_t`}
  *       \cgalParamDefault{1}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{linear_reconstruction}
- *       \cgalParamDescription{whether the field is linear on each facet of the source (or its N-th power is, the length
- *         staying what it is): with the gradient that fits the vectors of its neighbors best, unfolded around common
- *         edges that are not sharper than 60 degrees}
+ *       \cgalParamDescription{whether the field is linear on each facet of the source (for a symmetric field, its N-th
+ *         power, while the length is constant). The gradient fits the vectors of the facet's neighbors best, unfolded
+ *         around common edges that are not sharper than 60 degrees.}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{default_value}
- *       \cgalParamDescription{what facets without a vector get; by default they keep what they have}
+ *       \cgalParamDescription{value of facets without a vector from the source; by default, they keep their vectors}
  *       \cgalParamType{`x`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
  *       \cgalParamDescription{a model of `FlowVisitor`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
- * \return which facets have no vector from the source, as none of their samples has, and why the first has none. A
- *   facet without an area has none: it faces no way.
+ * \return the facets without a vector from the source, because none of their samples has one; each with the reason for
+ *   its first sample. A facet without an area has none, as it has no normal.
  * \pre `symmetry` is positive
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceVectorMap,
@@ -233,7 +235,7 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
     }
     const auto g = target.face_of(Index(n));
     if(internal::record(report, n, status, is_continued, is_snapped)) {
-      // one vector is its own mean, but for rounding
+      // One vector is its own mean, except for rounding.
       const Eigen::Vector3d v = arrived == 1 && places.size() == 1 ? samples[n].vector : mean();
       put(target_vectors, g, Vector(v[0], v[1], v[2]));
     } else internal::put_default_value(np, target_vectors, g);
@@ -244,13 +246,13 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief moves tangent vectors at the vertices of the source to those of the target: as `transfer_tangent_vectors()`,
- * for fields that are given at vertices, and interpolated between them.
+ * \brief transfers tangent vectors of vertices from the source to the target, like `transfer_tangent_vectors()`, for
+ * fields that are given at vertices and interpolated between them.
  *
- * In each facet of the source the vectors of its vertices are rotated into its plane the shortest way, from the
- * vertex's normal (the mean of the facets', weighted by angles), and interpolated: N-th powers, for a symmetric field.
- * Images are tangent to the level set of the shell's field through the target's vertex, so that they do not depend on
- * the target's facets.
+ * In each facet of the source, the vectors of its vertices are rotated into its plane the shortest way from the
+ * vertex's normal, which is the mean of the facets' normals, weighted by angles. The rotated vectors are interpolated;
+ * for a symmetric field, as N-th powers. Images are tangent to the level set of the shell's field through the target's
+ * vertex, so that they do not depend on the target's facets.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Map a `Shell_map_3`
@@ -259,8 +261,8 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
  * \tparam TargetVectorMap a model of `WritablePropertyMap` from vertices of the target to vectors that are
  *   constructible from three numbers
  * \param map the map from the source to the target
- * \param source_vectors vectors; what they have along the normals is lost
- * \param target_vectors what gets their images
+ * \param source_vectors vectors; components along the normals are lost
+ * \param target_vectors receives their images
  * \param np optional named parameters
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{symmetry}
@@ -268,14 +270,14 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
  *       \cgalParamType{`int`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{default_value}
- *       \cgalParamDescription{what vertices without a vector get; by default they keep what they have}
+ *       \cgalParamDescription{value of vertices without a vector from the source; by default, they keep their vectors}
  *       \cgalParamType{`x`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
  *       \cgalParamDescription{a model of `FlowVisitor`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
- * \return which vertices have no vector from the source, and why
+ * \return the vertices without a vector from the source, each with the reason
  * \pre `symmetry` is positive
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceVectorMap,

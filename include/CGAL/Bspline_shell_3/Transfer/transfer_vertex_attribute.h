@@ -32,22 +32,22 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief gives the vertices of the target the values that the source has where their curves meet it: scalars, colors,
- * vectors, displacements, and whatever else can be interpolated.
+ * \brief transfers values of vertices from the source to the target: scalars, colors, vectors, displacements, and
+ * anything else that can be interpolated.
  *
- * The value at a location of the source is interpolated from the three corners of its facet, and, if there is a
- * `mapping()`, handed to that together with the differential of the map. Values are sampled, which does not keep
- * integrals; where the source has far more vertices than the target, `average_vertex_attribute()` loses less. The maps
- * are read and written from the calling thread.
+ * A vertex gets the value of the source where its curve meets it, interpolated from the three corners of the facet. If
+ * there is a `mapping()`, this value and the differential of the map are passed to it. Values are sampled, which does
+ * not preserve integrals. If the source has far more vertices than the target, `average_vertex_attribute()` loses less.
+ * The property maps are read and written by the calling thread.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
  * \tparam Map a `Shell_map_3`
  * \tparam SourceValueMap a model of `ReadablePropertyMap` from vertices of the source
  * \tparam TargetValueMap a model of `WritablePropertyMap` from vertices of the target, whose facets need not be
  *   triangles
- * \param map the map from the source to the target; its inverse transfers the other way
- * \param source_values the attribute
- * \param target_values what gets its values
+ * \param map the map from the source to the target; its inverse transfers in the other direction
+ * \param source_values the values of the source
+ * \param target_values receives the values of the target
  * \param np optional named parameters
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{interpolation}
@@ -56,18 +56,18 @@ namespace Bspline_shells {
  *     \cgalParamNEnd
  *     \cgalParamNBegin{mapping}
  *       \cgalParamDescription{`F()(value, differential)` with the `Flow_differential` from the source to the target; by
- *         default values arrive as they are}
+ *         default, values are not changed}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{default_value}
- *       \cgalParamDescription{what vertices without a value get; by default they keep what they have}
+ *       \cgalParamDescription{value of vertices without a value from the source; by default, they keep their values}
  *       \cgalParamType{`x`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
  *       \cgalParamDescription{a model of `FlowVisitor`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
- * \return which vertices have no value from the source, and why
- * \cgalHeading{Cost} some microseconds a vertex and core; with `mapping()` about twice as much
+ * \return the vertices without a value from the source, each with the reason
+ * \cgalHeading{Cost} A few microseconds per vertex and core; with `mapping()`, about twice as much.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceValueMap,
           typename TargetValueMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -116,11 +116,11 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief moves the values at the vertices of the source to the target, and gives each vertex of the target the average
- * of those that arrive on its facets.
+ * \brief transfers values of vertices from the source to the target, and gives each vertex of the target the average of
+ * the values that arrive on its facets.
  *
- * Each value is shared out to the three corners of the facet where it arrives, by its barycentric coordinates and the
- * area of the source around its vertex. Vertices of the target that nothing arrives at get the value that
+ * Each value is distributed to the three corners of the facet on which it arrives, by its barycentric coordinates and
+ * the area of the source around its vertex. Vertices of the target at which no value arrives get the value that
  * `transfer_vertex_attribute()` gives them.
  *
  * \tparam Map a `Shell_map_3`
@@ -128,20 +128,20 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
  *   `double * T`
  * \tparam TargetValueMap a model of `WritablePropertyMap` from vertices of the target
  * \param map the map from the source to the target
- * \param source_values the attribute
- * \param target_values what gets its values
+ * \param source_values the values of the source
+ * \param target_values receives the values of the target
  * \param np optional named parameters
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{default_value}
- *       \cgalParamDescription{what vertices without a value get; by default they keep what they have}
+ *       \cgalParamDescription{value of vertices without a value from the source; by default, they keep their values}
  *       \cgalParamType{`x`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
  *       \cgalParamDescription{a model of `FlowVisitor`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
- * \return which vertices of the target have no value: none has if the visitor stopped. Integers are rounded. Vertices
- *   of the source without an image are left out, and named too.
+ * \return the vertices of the target without a value (all of them, if the visitor stopped). Integers are rounded.
+ *   Vertices of the source without an image are left out, and listed, too.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceValueMap,
           typename TargetValueMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -172,7 +172,7 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
       images[n] = map.to_target()(p, hint);
     });
 
-  // a third of the facets' areas
+  // The area around a vertex is a third of the area of its facets.
   const std::vector<std::size_t> position = internal::positions_of_corners(source);
   std::vector<double> area(points.size(), 0);
   for(std::size_t c = 0; c < position.size(); ++c) {
@@ -180,7 +180,7 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
     area[position[c]] += internal::norm(n) / 6;
   }
   const std::vector<std::size_t> target_position = internal::positions_of_corners(target);
-  // numbers are summed up as doubles: integers would lose what is behind the point each time
+  // Numbers are summed as doubles: integers would lose their fractions each time.
   typedef std::conditional_t<std::is_arithmetic<Value>::value, double, Value> Sum;
   std::vector<std::optional<Sum> > sum(target.traced_vertices().size());
   std::vector<double> weight(sum.size(), 0);

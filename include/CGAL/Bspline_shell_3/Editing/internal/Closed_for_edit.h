@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Opens a mesh again that was closed for an edit, also when an exception ends that.
+// Closes a mesh for an edit, and opens it afterwards, also if an exception is thrown.
 template <typename TriangleMesh>
 class Closed_for_edit
 {
@@ -27,7 +27,7 @@ public:
   Closed_for_edit& operator=(const Closed_for_edit&) = delete;
   ~Closed_for_edit() { open(); }
 
-  // whether the mesh is closed now
+  // Returns whether the mesh is closed now.
   template <typename VertexPointMap>
   bool close(const Shell_closing_3& closing, VertexPointMap vpm)
   {
@@ -45,13 +45,13 @@ public:
     Shell_closing_3::detach(m_mesh, m_attached);
     forget();
   }
-  // the mesh is another one
+  // Must be called if the mesh was replaced: there is nothing to open.
   void forget() { m_attached = Attached(); }
 
 private:
   typedef Shell_closing_3::Attached<TriangleMesh> Attached;
   TriangleMesh& m_mesh;
-  Attached m_attached; // nothing if the mesh is as it was
+  Attached m_attached; // empty if the mesh was not closed
 };
 
 } // namespace internal

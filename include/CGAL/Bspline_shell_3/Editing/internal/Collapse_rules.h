@@ -21,19 +21,19 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Where the vertex of a collapsed edge may be, as far as constraints and frozen facets tell.
+// The positions that constraints and frozen facets allow for the vertex of a collapsed edge.
 template <typename Point>
 struct Allowed_places
 {
   bool are_all = false;
-  std::vector<Point> places; // unless all are
+  std::vector<Point> places; // unless all are allowed
 };
 
-// Which edges may be collapsed, and where to, because of constrained edges and frozen facets. Vertices of constrained
-// edges stay where they are. If constrained edges are not protected, they are collapsed along themselves, at vertices
-// where exactly two of them meet.
+// Determines which edges may be collapsed, and to which positions, by constrained edges and frozen facets. Vertices of
+// constrained edges do not move. If constrained edges are not protected, they are collapsed along themselves, at
+// vertices where exactly two of them meet.
 //
-// `Merges` tells whether that may be asked for; the map must be writable, then.
+// `Merges` is whether constrained edges may be unprotected; the map must be writable then.
 template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap, bool Merges>
 class Collapse_rules
 {
@@ -51,8 +51,8 @@ public:
     : m_mesh(mesh), m_vpm(vpm), m_constrained(constrained), m_protects(protects || !Merges), m_frozen(frozen)
   {}
 
-  // Edges that CGAL must not even consider. It collapses edges of length zero without asking for a place, and so what
-  // is constrained beside these is not collapsed before them.
+  // Returns whether CGAL must not even consider an edge. It collapses edges of length zero without calling the
+  // placement. Constrained edges next to these are therefore not collapsed before them.
   bool is_kept(edge_descriptor e) const
   {
     return m_frozen.has_edge(e)
@@ -67,7 +67,7 @@ public:
     const vertex_descriptor v0 = profile.v0(), v1 = profile.v1();
     if(m_frozen.has_vertex(v0) || m_frozen.has_vertex(v1)) return allowed;
     if(m_frozen.is_fixed(v0) && m_frozen.is_fixed(v1)) return allowed;
-    // edges that close the mesh are no keys of the map
+    // Edges that close the mesh are not keys of the map.
     if(m_frozen.is_fixed(v0)) {
       if(number_of_constrained_edges(v1) == 0) allowed.places.push_back(profile.p0());
       return allowed;
@@ -80,7 +80,7 @@ public:
     allowed.are_all = number_0 == 0 && number_1 == 0;
     if(allowed.are_all) return allowed;
     const bool is_along = !m_protects && is_constrained(profile.v0_v1());
-    // two sides of a facet become one: at most one of them is constrained
+    // Two sides of a facet become one: at most one of them may be constrained.
     if(is_along
        && (are_both_constrained(profile.vL_v0(), profile.v1_vL())
            || are_both_constrained(profile.vR_v1(), profile.v0_vR())))
@@ -90,7 +90,7 @@ public:
     return allowed;
   }
 
-  // Edges that vanish are constrained no more; those that take their places are, if one of both was.
+  // Edges that vanish are no longer constrained. An edge that replaces two edges is constrained if one of these was.
   template <typename Profile>
   void before_collapse(const Profile& profile)
   {
@@ -134,7 +134,7 @@ private:
                        [&](halfedge_descriptor h) { return get(m_vpm, source(h, m_mesh)) == get(m_vpm, v); });
   }
 
-  // whether one of them was constrained
+  // Removes constraints of two edges. Returns whether one of them was constrained.
   bool release(halfedge_descriptor g, halfedge_descriptor h)
   {
     bool was_constrained = false;
@@ -158,7 +158,7 @@ private:
   bool m_is_left_constrained = false, m_is_right_constrained = false; // during a collapse
 };
 
-// the edges that CGAL must not consider, as a property map
+// The edges that CGAL must not consider, as a property map.
 template <typename Rules, typename Edge>
 struct Kept_edges_map
 {

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Facets of a mesh that edits leave alone, with their vertices and edges. So they keep their descriptors. Those that
-// close the mesh leave more freedom: what is collapsed into their vertices.
+// Facets of a mesh that edits do not change, with their vertices and edges. They keep their descriptors. Facets that
+// close the mesh leave more freedom: edges may be collapsed into their vertices.
 template <typename TriangleMesh>
 class Frozen_facets
 {
@@ -30,7 +30,7 @@ public:
 
   explicit Frozen_facets(const TriangleMesh& mesh) : m_mesh(&mesh) {}
 
-  // adds a facet; whether it is new
+  // Adds a facet. Returns whether it is new.
   bool freeze(face_descriptor f)
   {
     if(!m_facets.insert(f).second) return false;
@@ -38,14 +38,14 @@ public:
     return true;
   }
 
-  // adds a facet that closes the mesh
+  // Adds a facet that closes the mesh.
   void close(face_descriptor f)
   {
     m_closing.insert(f);
     for(vertex_descriptor v : CGAL::vertices_around_face(halfedge(f, *m_mesh), *m_mesh)) m_fixed.insert(v);
   }
 
-  // of facets, without those that close the mesh
+  // These functions ignore facets that close the mesh.
   bool empty() const { return m_facets.empty(); }
   std::size_t size() const { return m_facets.size(); }
   bool has_facet(face_descriptor f) const { return !empty() && m_facets.count(f) > 0; }
@@ -53,21 +53,21 @@ public:
 
   std::size_t number_of_closing_facets() const { return m_closing.size(); }
   bool closes(face_descriptor f) const { return !m_closing.empty() && m_closing.count(f) > 0; }
-  // whether an edge is none of the open mesh
+  // Returns whether an edge does not belong to the open mesh.
   bool closes(edge_descriptor e) const
   {
     const auto h = halfedge(e, *m_mesh);
     return closes(face(h, *m_mesh)) && closes(face(opposite(h, *m_mesh), *m_mesh));
   }
-  // whether a vertex stays where it is because a facet at it closes the mesh. An edge to it may be collapsed, so that
-  // its place has another vertex.
+  // Returns whether a vertex must not move because a facet at it closes the mesh. An edge at it may be collapsed, so
+  // that another vertex takes its place.
   bool is_fixed(vertex_descriptor v) const { return !m_closing.empty() && m_fixed.count(v) > 0; }
-  // an edge collapse has put `v` in the place of `w`
+  // Must be called when an edge collapse has put `v` in the place of `w`.
   void replace(vertex_descriptor w, vertex_descriptor v)
   {
     if(is_fixed(w) && m_fixed.erase(w) > 0) m_fixed.insert(v);
   }
-  // an edge of a facet that is frozen, or closes the mesh
+  // Returns whether an edge belongs to a facet that is frozen or closes the mesh.
   bool has_edge(edge_descriptor e) const
   {
     const auto h = halfedge(e, *m_mesh);

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// the corners of frozen facets, and where they are in faces(mesh)
+// The corners of frozen facets, and their positions in faces(mesh).
 template <typename TriangleMesh, typename VertexPointMap>
 class Frozen_state
 {
@@ -44,8 +44,8 @@ public:
 
   const std::vector<std::size_t>& positions() const { return m_positions; }
 
-  // Whether all facets are what they were in another state; `numbers` are their positions now, in the order that they
-  // had then. The order of facets may change where a mesh uses the places of removed ones.
+  // Returns whether all facets are the same as in an earlier state. `numbers` receives their current positions, in the
+  // earlier order. The order of facets may change if a mesh reuses the places of removed ones.
   bool is_as(const Frozen_state& before, std::vector<std::size_t>& numbers) const
   {
     std::unordered_map<face_descriptor, std::size_t> now;

@@ -19,8 +19,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Whether a mesh that is restored has the elements that it had, so that descriptors that others have stay what they
-// are.
+// Returns whether a mesh that is restored has its original elements, so that external descriptors remain valid.
 template <typename TriangleMesh>
 bool is_restored_in_place(const TriangleMesh&)
 {
@@ -38,9 +37,9 @@ void assign(const TriangleMesh& before, TriangleMesh& mesh)
   mesh = before;
 }
 
-// Assigned to, a Surface_mesh would replace its properties: maps of the caller's would dangle, and those that are
-// dynamic would remove others when they go. So it is emptied, and filled again.
-// \pre `before` is a copy of what the mesh was
+// Assignment to a Surface_mesh would replace its properties. The caller's maps would dangle, and dynamic maps would
+// remove other properties when they are destroyed. The mesh is therefore emptied and filled again.
+// \pre `before` is a copy of the original mesh
 template <typename Point>
 void assign(const Surface_mesh<Point>& before, Surface_mesh<Point>& mesh)
 {
@@ -51,14 +50,14 @@ void assign(const Surface_mesh<Point>& before, Surface_mesh<Point>& mesh)
   mesh.join(before);
 }
 
-// What a mesh is before it is edited, with its points and its constrained edges wherever maps keep them.
+// A copy of a mesh before an edit, with its points and its constrained edges wherever maps store them.
 template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap>
 class Mesh_backup
 {
   typedef boost::property_traits<EdgeIsConstrainedMap> Constraint_traits;
   typedef typename boost::property_map<TriangleMesh, vertex_point_t>::type Point_map_of_mesh;
   static constexpr bool has_own_points = std::is_same<VertexPointMap, Point_map_of_mesh>::value;
-  // maps that cannot be written to need no care
+  // Maps that cannot be written need no copy.
   static constexpr bool has_own_constraints =
     !std::is_convertible<typename Constraint_traits::category, boost::writable_property_map_tag>::value
     || std::is_const<std::remove_reference_t<typename Constraint_traits::reference> >::value;
@@ -73,14 +72,14 @@ public:
       for(auto e : edges(mesh)) m_is_constrained.push_back(get(edge_is_constrained, e) ? 1 : 0);
   }
 
-  // in the order of vertices(mesh)
+  // Returns the points in the order of vertices(mesh).
   const std::vector<Point>& points() const { return m_points; }
 
-  // makes the mesh what it was; its elements are new, unless it is restored in place
+  // Restores the original mesh. Its elements are new, unless it is restored in place.
   void restore(TriangleMesh& mesh)
   {
     if constexpr(!has_own_constraints)
-      for(auto e : edges(mesh)) put(m_edge_is_constrained, e, false); // they vanish, and may be keys of the map
+      for(auto e : edges(mesh)) put(m_edge_is_constrained, e, false); // edges may be keys of the map, and vanish
     assign(m_mesh, mesh);
     std::size_t n = 0;
     if constexpr(!has_own_points)

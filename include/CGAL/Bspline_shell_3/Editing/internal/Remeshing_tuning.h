@@ -12,24 +12,25 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Tuned numbers of remeshing. The quality of a triangle is 1 if it is equilateral, and 0 without an area.
+// Tuned numbers of remeshing. The quality of a triangle is 1 if it is equilateral, and 0 if it has no area.
 struct Remeshing_tuning
 {
-  // Lengths relative to the target above which edges are split, and below which they are collapsed: halves of the
-  // former are not among the latter.
+  // Lengths relative to the target above which edges are split, and below which they are collapsed.
   double longest = 4. / 3, shortest = 4. / 5;
-  // Largest ratio of new edges to the one that is split: without it, needles would be split for ever.
+  // Largest ratio of new edges to the edge that is split: otherwise, needles would be split forever.
   double largest_new_edge = 0.9;
-  // Quality that a flip towards regular valences, or a collapse, must leave, if it was better before.
+  // Quality that must remain after a flip towards regular valences, or a collapse; or the quality before, if it is
+  // lower.
   double regular_quality = 0.3;
-  // Quality that a move must leave, if it was better before.
+  // Quality that must remain after a move; or the quality before, if it is lower.
   double good_quality = 0.7;
   // Factor by which a flip must improve the quality, and the number of passes of such flips.
   double least_gain = 1.01;
   int max_flip_passes = 10;
-  // Second eigenvalue of the tensor of normals from which a vertex is on a crease: 25 degrees between two equal facets.
+  // Second eigenvalue of the tensor of normals above which a vertex is on a crease: 25 degrees between two equal
+  // facets.
   double crease = 0.05;
-  // Least cosine between two facets whose edge may be flipped.
+  // Least cosine between the normals of two facets whose common edge may be flipped.
   double least_cosine = 0.9;
 };
 

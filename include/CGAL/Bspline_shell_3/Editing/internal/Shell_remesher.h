@@ -45,11 +45,11 @@ namespace internal {
 
 // Splits, collapses, flips and moves, each only if the oracle accepts all facets that change.
 //
-// Fans that wind once stay so. At a vertex that moves, or is new, the oracle counts. At the others, one or two facets
-// are replaced by one or two, between the same two edges: they turn by less than a whole turn before and after, and by
-// the same angle but for whole turns. (Collapses: see Shell_filter.)
+// Fans that wind once continue to do so. At a vertex that moves or is new, the oracle counts. At other vertices, one or
+// two facets are replaced by one or two, between the same two edges. They turn by less than a full turn before and
+// after, and by the same angle up to full turns. (For collapses, see Shell_filter.)
 //
-// Edges are dealt with in an order that depends on lengths, and among equal ones on the order of the mesh, never on
+// Edges are processed in an order that depends on lengths and, for equal lengths, on the order of the mesh, never on
 // addresses.
 template <typename TriangleMesh, typename VertexPointMap, typename Oracle, typename Sizing,
           typename EdgeIsConstrainedMap, typename VertexIsConstrainedMap>
@@ -62,7 +62,7 @@ class Shell_remesher
   typedef typename boost::property_traits<VertexPointMap>::value_type Point_of_mesh;
   typedef typename Oracle::Point_3 Point;
   typedef typename Kernel_traits<Point>::Kernel::Vector_3 Vector;
-  // relative length, and a number that tells equal ones apart; 0 if the edge is not in the queue
+  // relative length, and a number that distinguishes equal lengths; 0 if the edge is not in the queue
   typedef std::pair<double, std::size_t> Key;
   typedef std::map<Key, halfedge_descriptor> Queue;
 
@@ -84,11 +84,11 @@ public:
     }
   }
 
-  // Once stopped, by the caller or by `go_on`, no pass changes anything.
+  // Once the remesher is stopped, by the caller or by `go_on`, no pass changes anything.
   void stop() { m_goes_on = false; }
   bool goes_on() const { return m_goes_on; }
 
-  // of the old vertices: those into which they were collapsed
+  // Returns the vertices into which the old vertices were collapsed.
   std::vector<vertex_descriptor> images() const
   {
     std::vector<vertex_descriptor> result(m_next_old.size());
@@ -106,7 +106,7 @@ public:
 
   void split_long_edges()
   {
-    m_rejected_before = m_report.placements.rejected(); // splits and collapses begin here
+    m_rejected_before = m_report.placements.rejected(); // the splits and collapses of an iteration begin here
     Queue queue;
     const auto add = [&](halfedge_descriptor h) {
       const edge_descriptor e = edge(h, m_mesh);
@@ -140,7 +140,7 @@ public:
       halfedge_descriptor h = queue.begin()->second;
       queue.erase(queue.begin());
       put(m_key, edge(h, m_mesh), Key());
-      // with the edge, one of the two others of each of its facets vanishes
+      // With the edge, one of the two other edges of each of its facets vanishes.
       const std::array<edge_descriptor, 4> sides = { { edge(next(h, m_mesh), m_mesh), edge(prev(h, m_mesh), m_mesh),
                                                        edge(next(opposite(h, m_mesh), m_mesh), m_mesh),
                                                        edge(prev(opposite(h, m_mesh), m_mesh), m_mesh) } };
@@ -152,7 +152,7 @@ public:
     }
   }
 
-  // The reason why edges differ from the target length.
+  // Returns the reason why edges differ from the target length.
   Edit_end end() const
   {
     const auto is_about_right = [&](edge_descriptor e) {
@@ -179,7 +179,7 @@ public:
     }
   }
 
-  // until no flip does, or the last passes change next to nothing
+  // Repeats passes until no edge is flipped, or up to a limit, when passes change almost nothing.
   void flip_to_larger_angles()
   {
     for(int pass = 0; pass < remeshing_tuning.max_flip_passes; ++pass) {
@@ -193,9 +193,9 @@ public:
     }
   }
 
-  // Moves vertices towards the centroids of their facets, within the tangent plane; along sharp edges only within
-  // these, and not at corners. Then `project` may change the place. Vertices that share no edge are moved at the same
-  // time.
+  // Moves vertices towards the centroids of their facets, within the tangent plane. Vertices on sharp edges move only
+  // along these, and corners do not move. Then `project` may change the position. Vertices without a common edge are
+  // moved concurrently.
   template <typename ConcurrencyTag, typename Projection>
   void relax(const Projection& project)
   {
@@ -228,14 +228,14 @@ private:
 
   typedef std::vector<Point> Link;
 
-  // the places that were tried for a vertex, and the last one, which may have been accepted
+  // The verdicts on the positions that were tried for a vertex, and the last position, which may have been accepted.
   struct Move
   {
     boost::container::static_vector<Placement_verdict, 3> verdicts;
     Point place;
   };
 
-  // the facets (a, b, c) and (b, a, d) at a halfedge from a to b
+  // The facets (a, b, c) and (b, a, d) at a halfedge from a to b.
   struct Quadrilateral
   {
     Quadrilateral(halfedge_descriptor h, const TriangleMesh& mesh)
@@ -245,9 +245,9 @@ private:
     vertex_descriptor a, b, c, d;
   };
 
-  static constexpr std::array<double, 3> parts_of_moves = { { 1, 0.5, 0.25 } }; // that are tried
+  static constexpr std::array<double, 3> parts_of_moves = { { 1, 0.5, 0.25 } }; // fractions of a move that are tried
 
-  // a reference, or a point, as the map has it
+  // Returns a reference or a point, depending on the map.
   decltype(auto) point(vertex_descriptor v) const { return converted<Point>(get(m_vpm, v)); }
   void set_point(vertex_descriptor v, const Point& p) { put(m_vpm, v, converted<Point_of_mesh>(p)); }
 
@@ -288,14 +288,14 @@ private:
     return m_frozen.has_vertex(v) || m_frozen.is_fixed(v) || get(m_vertex_is_constrained, v)
            || number_of_constrained_edges(v) > 0;
   }
-  // whether constrained edges pass through it, so that it may vanish with one of them
+  // Returns whether constrained edges pass through a vertex, so that it may vanish with one of them.
   bool is_passed(vertex_descriptor v) const
   {
     return !m_protect_constraints && !m_frozen.is_fixed(v) && !get(m_vertex_is_constrained, v)
            && number_of_constrained_edges(v) == 2;
   }
 
-  // twice the inradius divided by the circumradius, with the sign of the facet's side
+  // Returns twice the inradius divided by the circumradius.
   static double quality(const Point& p, const Point& q, const Point& r)
   {
     const double a = std::sqrt(CGAL::squared_distance(q, r)), b = std::sqrt(CGAL::squared_distance(r, p)),
@@ -309,7 +309,7 @@ private:
     return (std::min)(quality(point(q.a), point(q.b), point(q.c)), quality(point(q.b), point(q.a), point(q.d)));
   }
 
-  // the worst quality of the facets (p, link[n], link[n+1])
+  // Returns the worst quality of the facets (p, link[n], link[n+1]).
   static double quality_of_star(const Point& p, const Link& link)
   {
     double least = 1;
@@ -318,7 +318,7 @@ private:
     return least;
   }
 
-  // the worst quality of the facets at the ends of an edge, except for its own two
+  // Returns the worst quality of the facets at the ends of an edge, except for its own two facets.
   double quality_around(halfedge_descriptor h) const
   {
     double least = 1;
@@ -340,7 +340,7 @@ private:
     return count(m_oracle(p, m_link, none));
   }
 
-  // the next halfedge to the same target, in the direction in which facets turn
+  // Returns the next halfedge to the same target, in the direction in which facets turn.
   halfedge_descriptor turn(halfedge_descriptor h) const { return prev(opposite(h, m_mesh), m_mesh); }
 
   void find_link(vertex_descriptor v, Link& link) const
@@ -354,7 +354,7 @@ private:
     } while(h != first);
   }
 
-  // around an edge: what is left of the links of its ends
+  // Finds the link of an edge: the remaining parts of the links of its ends.
   void find_link(halfedge_descriptor h)
   {
     m_link.clear();
@@ -362,8 +362,8 @@ private:
       for(halfedge_descriptor g = turn(end); turn(g) != end; g = turn(g)) m_link.push_back(point(source(g, m_mesh)));
   }
 
-  // Large facets may need more effort than the oracle makes for a whole star. Four facets around a vertex, less than
-  // half a turn each, wind once in any case.
+  // The oracle limits its effort for a whole star, and large facets may need more. Four facets around a vertex, less
+  // than half a turn each, wind once in any case.
   bool may_split_at(const Point& p)
   {
     if(judge(p) == Placement_verdict::ACCEPTED) return true;
@@ -378,13 +378,13 @@ private:
     const bool is_constrained = get(m_edge_is_constrained, edge(h, m_mesh));
     m_link = { point(q.b), point(q.c), point(q.a), point(q.d) };
     Point p = CGAL::midpoint(point(q.a), point(q.b));
-    // In a facet whose longest edge must not be split, the halves of others may have new edges beside them that are no
-    // shorter than they were, for ever.
+    // If the longest edge of a facet must not be split, splits of its other edges may create new edges that are no
+    // shorter, forever.
     const double longest_new = (std::max)(CGAL::squared_distance(p, point(q.c)), CGAL::squared_distance(p, point(q.d)));
     if(longest_new > remeshing_tuning.largest_new_edge * remeshing_tuning.largest_new_edge
                        * CGAL::squared_distance(point(q.a), point(q.b)))
       return Graph_traits::null_vertex();
-    // the middle is rounded, and may be out of a thin shell by as much
+    // The midpoint is rounded, and rounding may move it out of a thin shell.
     if(!may_split_at(p)) {
       const auto moved = move_to_mean_level(m_oracle.shell().field(), p, point(q.a), point(q.b));
       if(is_constrained || !moved || !may_split_at(*moved)) return Graph_traits::null_vertex();
@@ -394,7 +394,7 @@ private:
     const vertex_descriptor v = target(half, m_mesh);
     set_point(v, p);
     put(m_first_old, v, none);
-    // a map may have any value for edges that are new, unless it is told
+    // New edges may have any value in a map until it is set.
     set_constrained(edge(half, m_mesh), is_constrained);
     set_constrained(edge(Euler::split_face(half, next(h, m_mesh), m_mesh), m_mesh), false);
     set_constrained(edge(Euler::split_face(opposite(h, m_mesh), next(opposite(half, m_mesh), m_mesh), m_mesh), m_mesh),
@@ -408,7 +408,7 @@ private:
     if constexpr(has_constrained_edges) put(m_edge_is_constrained, e, value);
   }
 
-  // How sharp the mesh is at a vertex: the part of its facets' normals that their mean does not have.
+  // Returns how sharp the mesh is at a vertex: 1 minus the length of the mean normal of its facets.
   double sharpness(vertex_descriptor v) const
   {
     Vector sum(0, 0, 0);
@@ -428,8 +428,8 @@ private:
     return length > 0 ? n / length : n;
   }
 
-  // Where the edge may be collapsed to: an end, the one where the mesh is sharper before the other, or the middle. The
-  // halfedge is turned so that its target is the vertex to keep.
+  // Finds the position for a collapse of the edge: the end where the mesh is sharper, the other end, or the midpoint.
+  // The halfedge is reversed if necessary, so that its target is the vertex to keep.
   bool find_place_to_collapse_to(halfedge_descriptor& h, Point& p)
   {
     if(!Euler::does_satisfy_link_condition(edge(h, m_mesh), m_mesh)) return false;
@@ -439,12 +439,12 @@ private:
     if(is_source_fixed && is_target_fixed) return false;
     if(is_source_fixed || (!is_target_fixed && sharpness(source(h, m_mesh)) > sharpness(target(h, m_mesh))))
       h = opposite(h, m_mesh);
-    // two sides of a facet become one: at most one of them is constrained
+    // Two sides of a facet become one: at most one of them may be constrained.
     for(halfedge_descriptor g : { h, opposite(h, m_mesh) })
       if(get(m_edge_is_constrained, edge(next(g, m_mesh), m_mesh))
          && get(m_edge_is_constrained, edge(prev(g, m_mesh), m_mesh)))
         return false;
-    // the vertex that is kept is the target, and it matters which one that is
+    // Euler::collapse_edge() keeps the target of the edge's halfedge, which must therefore be `h`.
     if(halfedge(edge(h, m_mesh), m_mesh) != h) return false;
     find_link(h);
     const Point &a = point(source(h, m_mesh)), &b = point(target(h, m_mesh));
@@ -474,7 +474,7 @@ private:
     return v;
   }
 
-  // Old vertices that have the same image form a ring, and two of these are joined where their ends are exchanged.
+  // Old vertices with the same image form a ring. Two rings are joined by exchanging the successors of two vertices.
   void join_old_vertices(vertex_descriptor removed, vertex_descriptor kept)
   {
     const std::size_t from = get(m_first_old, removed), to = get(m_first_old, kept);
@@ -483,7 +483,7 @@ private:
     else std::swap(m_next_old[from], m_next_old[to]);
   }
 
-  // if the facets get better than `least`
+  // Flips an edge if the facets become better than `least`.
   bool flip(halfedge_descriptor h, const Quadrilateral& q, double least)
   {
     if(m_frozen.has_edge(edge(h, m_mesh)) || get(m_edge_is_constrained, edge(h, m_mesh)) || degree(q.a, m_mesh) <= 3
@@ -491,7 +491,7 @@ private:
       return false;
     const Point &a = point(q.a), &b = point(q.b), &c = point(q.c), &d = point(q.d);
     if(!((std::min)(quality(a, d, c), quality(d, b, c)) > least)) return false;
-    // edges that are sharp stay, and no facets get across them
+    // Sharp edges remain, and no facets are created across them.
     if(unit_normal(a, b, c) * unit_normal(b, a, d) < remeshing_tuning.least_cosine) return false;
     for(const auto& facet : { std::array<Point, 3>{ { a, d, c } }, std::array<Point, 3>{ { d, b, c } } })
       if(count(m_oracle(facet[0], facet[1], facet[2])) != Placement_verdict::ACCEPTED) return false;
@@ -500,8 +500,8 @@ private:
     return true;
   }
 
-  // The vertices that may move, in classes without edges within one: each vertex is in the first class that has none of
-  // its neighbors.
+  // Returns the vertices that may move, in classes without edges within a class. Each vertex is in the first class that
+  // contains none of its neighbors.
   std::vector<std::vector<vertex_descriptor> > independent_vertices() const
   {
     std::vector<std::vector<vertex_descriptor> > classes;
@@ -521,7 +521,7 @@ private:
     return classes;
   }
 
-  // the first of several parts of the move of a vertex after which its facets are good
+  // Returns the first of several fractions of a vertex's move after which its facets are good.
   template <typename Projection>
   Move find_move(const Point& p, const Link& link, const Projection& project) const
   {
@@ -555,7 +555,7 @@ private:
     if(!(area > 0)) return NULL_VECTOR;
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
     eigen.computeDirect(tensor / area);
-    // directions in which no normal points: two on a smooth surface, one along an edge, none at a corner
+    // Directions without normals: two on a smooth surface, one along an edge, none at a corner.
     Eigen::Vector3d move = Eigen::Vector3d::Zero();
     for(int i = 0; i < 2; ++i)
       if(eigen.eigenvalues()[i] < remeshing_tuning.crease)
@@ -580,8 +580,8 @@ private:
   std::size_t m_serial = 0;
   std::size_t m_rejected_before = 0;
   bool m_has_rejected = false; // whether the oracle rejected a split or a collapse in the last iteration
-  // rings of the vertices that the mesh had, by their numbers: the first of each vertex that has some, and for each one
-  // the next
+  // rings of the original vertices, by number: for each vertex, the first one of its ring, and for each of them the
+  // next one
   typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<std::size_t> >::type m_first_old;
   std::vector<std::size_t> m_next_old;
   Link m_link;

@@ -30,32 +30,32 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// What stop predicate, visitor, placement and filter tell each other. A run calls OnSelected(), and then, if the edge
-// satisfies the link condition, placement and filter once for this edge, before any other.
+// State that the stop predicate, visitor, placement and filter share. A run calls OnSelected() for an edge. If the edge
+// satisfies the link condition, it then calls placement and filter once, before any other edge.
 struct Collapse_state
 {
   bool is_waiting = false; // whether the selected edge has no placement yet
   bool is_accepted = false;
   bool has_stopped = false;
-  bool has_deferred = false;          // a place that was too expensive
-  Edit_end obstacle = Edit_end::MESH; // why the selected edge has no place
+  bool has_deferred = false;          // whether a placement was too expensive
+  Edit_end obstacle = Edit_end::MESH; // reason why the selected edge has no placement
   double cost = 0;                    // cost of the selected edge
   double largest_cost = 0;            // largest cost of a collapsed edge
-  double allowance = 1;               // by what factor other places than the policy's may cost more
+  double allowance = 1;               // factor by which other placements may cost more than the policy's
   std::size_t initial_edges = 0;
   std::size_t closing_facets = 0;
   std::size_t collapsed = 0, retried = 0;
 
-  // what stop predicates and visitors are told: three for each two facets of the mesh, as if those that close it were
-  // not there
+  // Returns the number of edges for stop predicates and visitors: three for every two facets of the mesh, without the
+  // facets that close it.
   std::size_t edges_without_closing(std::size_t edges) const
   {
     return closing_facets == 0 ? edges : 3 * (2 * edges / 3 - closing_facets) / 2;
   }
 };
 
-// Several runs look like one, and the selected edge is marked after all others have been told. Constraints follow the
-// edges before anyone is told.
+// Makes several runs look like one, and marks the selected edge after the base visitor was called. When an edge is
+// collapsed, constraints are updated before the base visitor is called.
 template <typename TriangleMesh, typename Visitor, typename Rules>
 class Selecting_visitor : public Collapse_visitor<TriangleMesh, Visitor>
 {
@@ -66,7 +66,7 @@ public:
       m_obstacle(get(dynamic_edge_property_t<Edit_end>(), mesh))
   {}
 
-  // why none of the edges that are left was collapsed: the shell is named before the filter
+  // Returns the reason why none of the remaining edges was collapsed. The shell takes precedence over the filter.
   Edit_end end() const
   {
     if(m_state->has_stopped) return Edit_end::STOP_PREDICATE;
@@ -92,7 +92,7 @@ public:
   {
     Base::OnSelected(profile, cost, m_state->initial_edges, m_state->edges_without_closing(current));
     m_state->is_waiting = true;
-    m_state->obstacle = Edit_end::MESH; // unless a place is rejected
+    m_state->obstacle = Edit_end::MESH; // unless a placement is rejected
     m_state->cost = cost ? rounded(*cost) : 0;
   }
   template <typename Profile, typename OptionalPoint>
@@ -120,11 +120,11 @@ private:
   TriangleMesh* m_mesh;
   Rules* m_rules;
   Collapse_state* m_state;
-  // why an edge was given up, the last time that it was
+  // reason why an edge was rejected the last time
   typename boost::property_map<TriangleMesh, dynamic_edge_property_t<Edit_end> >::type m_obstacle;
 };
 
-// the caller's predicate, over several runs
+// The caller's predicate, over several runs.
 template <typename Stop>
 struct Continued_stop_predicate
 {
@@ -140,7 +140,7 @@ struct Continued_stop_predicate
   }
 };
 
-// whether costs are told when a run begins, and after each collapse
+// Whether costs must be initialized when a run begins, and updated after each collapse.
 template <typename Cost, typename = void>
 struct Requires_updates : Tag_false
 {};
@@ -148,7 +148,7 @@ template <typename Cost>
 struct Requires_updates<Cost, std::void_t<typename Cost::Update_tag> > : Boolean_tag<Cost::Update_tag::value>
 {};
 
-// The caller's costs, which remember the mesh before from one run to the next.
+// The caller's costs. They refer to the original mesh in all runs.
 template <typename Cost>
 struct Continued_cost
 {
@@ -174,9 +174,9 @@ struct Continued_cost
   }
 };
 
-// For an edge that is only given a cost, the placement of the policy. For the selected edge, the cheapest of several
-// places that passes the filter; if there is none, or it costs more than is due, the policy's. Where the rules allow
-// only some places, they take that of the policy's; where they allow none, nothing is accepted.
+// Returns the placement of the policy for an edge that only needs a cost. For the selected edge, returns the cheapest
+// of several placements that passes the filter. If there is none, or if it is too expensive, returns the policy's. If
+// the rules allow only some positions, these replace the policy's placement. If they allow none, nothing is accepted.
 template <typename Cost, typename Placement, typename Filter, typename Field, typename Rules>
 class Retrying_placement
 {
@@ -264,7 +264,7 @@ private:
   Collapse_state* m_state;
 };
 
-// Passes what the placement found acceptable.
+// Passes the placements that Retrying_placement accepted.
 struct Accepted_filter
 {
   const Collapse_state* state;

@@ -39,14 +39,14 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// whether a mesh is closed, or has the border of the shell's closing
+// Returns whether a mesh is closed, or has the border of the shell's closing.
 template <typename TriangleMesh, typename VertexPointMap, typename Shell>
 bool has_border_of_shell(const TriangleMesh& mesh, VertexPointMap vpm, const Shell& shell)
 {
   return CGAL::is_closed(mesh) || (shell.closing() && shell.closing()->match_border(mesh, vpm));
 }
 
-// whether a mesh is one that can be edited in a shell, as far as that is cheap to tell
+// Returns whether a mesh can be edited in a shell, by cheap tests only.
 template <typename TriangleMesh, typename VertexPointMap, typename Shell>
 Edit_status check_before_edits(const TriangleMesh& mesh, VertexPointMap vpm, const Shell& shell)
 {
@@ -60,7 +60,7 @@ Edit_status check_before_edits(const TriangleMesh& mesh, VertexPointMap vpm, con
   return Edit_status::SUCCESS;
 }
 
-// where the integral curves through points meet a mesh
+// Finds the locations where the integral curves through points meet a mesh.
 template <typename ConcurrencyTag, typename Result, typename Shell, typename Point, typename TriangleMesh,
           typename VertexPointMap>
 void locate(const Shell& shell, const std::vector<Point>& points, const TriangleMesh& mesh, VertexPointMap vpm,
@@ -70,13 +70,14 @@ void locate(const Shell& shell, const std::vector<Point>& points, const Triangle
     result.locations.push_back(image.location);
 }
 
-// Checks the mesh, edits it, and certifies the result; what is not certified is undone, unless facets are frozen and
-// all others accepted. `edit(oracle, frozen, all)` writes images and counts to the result, and returns why it is to be
-// undone, or success; properties that it attaches to the mesh must be gone when it returns. `all` has a vertex for each
-// that the mesh had: itself, or, where the mesh was truncated first, as the shell does it, one nearby. While it runs,
-// an open mesh is closed by what closes it in the shell; `frozen` has these facets.
+// Checks the mesh, edits it, and certifies the result. If the result is not certified, the edit is undone, unless
+// facets are frozen and all others accepted. `edit(oracle, frozen, all)` writes images and counts to the result. It
+// returns success, or the reason why the edit must be undone. Properties that it attaches to the mesh must be gone when
+// it returns. `all` contains a vertex for each original vertex: the vertex itself, or a vertex nearby if the mesh was
+// truncated first, like in the shell. During the edit, an open mesh is closed by the triangles that close it in the
+// shell; `frozen` contains these facets.
 // \pre `check_before_edits()` accepts the mesh
-// \param proofs which of the facets that the oracle accepts are proved. All of them are where facets may be frozen.
+// \param proofs which of the facets that the oracle accepts are proved. If facets may be frozen, all of them must be.
 template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap,
           typename Field, typename Threshold, typename NamedParameters, typename Result, typename Edit>
 Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConstrainedMap edge_is_constrained,
@@ -92,7 +93,7 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     seconds = timer.time();
     timer.reset();
   };
-  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // that of exact predicates
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // the rounding mode of exact predicates
 
   Mesh_backup<TriangleMesh, VertexPointMap, EdgeIsConstrainedMap> before(mesh, vpm, edge_is_constrained);
   Closed_for_edit<TriangleMesh> closed(mesh);
@@ -149,8 +150,8 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     Shell_certificate_3<Field, Threshold> certificate(shell, oracle.bounds());
     const bool certified = certificate.template verify<ConcurrencyTag>(mesh, CGAL::parameters::vertex_point_map(vpm));
     result.certificate = certificate.report();
-    // That facets are rejected proves nothing, and the certificate may hold all the same. If it does not, the others
-    // must still be accepted, and the mesh must have the border that it had.
+    // Rejected facets prove nothing, and the certificate may hold all the same. If it does not, the other facets must
+    // still be accepted, and the mesh must have its original border.
     const bool are_kept = Frozen_state<TriangleMesh, VertexPointMap>(frozen, mesh, vpm)
                             .is_as(frozen_before, result.frozen_facets);
     const bool is_proved = certified
@@ -158,7 +159,7 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
                                && has_border_of_shell(mesh, vpm, shell));
     lap(result.certificate_seconds);
     if(!is_proved) return undone(Edit_status::NOT_CERTIFIED);
-    // not compiled for those who do not ask
+    // Compiled only if requested.
     if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters, parameter_tags::locate_vertices_t>::value)
       if(get_parameter(np, parameter_tags::locate_vertices)) {
         if(is_truncated) locate<ConcurrencyTag>(shell, traced, mesh, vpm, result);
@@ -168,22 +169,22 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     return certified ? Edit_status::SUCCESS : Edit_status::EDITED_EXCEPT_FROZEN;
   } catch(const Run::Ended&) {
     return undone(Edit_status::TIME_LIMIT_EXCEEDED);
-  } catch(...) { // thrown by a function of the caller's, or memory is exhausted
+  } catch(...) { // thrown by a function of the caller, or memory is exhausted
     undone(Edit_status::NOT_CERTIFIED);
     throw;
   }
 }
 
-// Whether a certificate failed by what it says of the shell. That is examined only if the shell contains the mesh, and
-// no edit changes it.
+// Returns whether a certificate failed because of a claim about the shell itself. This claim is only examined if the
+// shell contains the mesh, and no edit changes it.
 inline bool is_shell_at_fault(const Certificate_report& report)
 {
   return report.verdict(Claim::CONTAINMENT) == Verdict::PROVED && report.verdict(Claim::GRADIENT) != Verdict::PROVED;
 }
 
-// The same, with proofs only where facets are doubtful, if `may_repeat`. The certificate decides; if it fails, all is
-// undone, and done again with all proofs, unless the shell is at fault: that must not harm what others know of the
-// mesh, and `edit` must do the same when it is called again.
+// Edits a mesh like edit_and_certify(). If `may_repeat`, facets are proved only where they are doubtful, and the
+// certificate decides. If it fails, the edit is undone and repeated with all proofs, unless the shell is at fault.
+// Rollback must preserve external descriptors, and `edit` must be repeatable.
 template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap,
           typename Field, typename Threshold, typename NamedParameters, typename Result, typename Edit>
 Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConstrainedMap edge_is_constrained,

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// an edge of length zero, or a facet with one
+// Returns whether an edge has length zero, or a facet has such an edge.
 template <typename TriangleMesh, typename VertexPointMap>
 bool is_zero(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, const TriangleMesh& mesh,
              VertexPointMap vpm)
@@ -39,9 +39,9 @@ bool has_zero_edge(typename boost::graph_traits<TriangleMesh>::face_descriptor f
   return is_zero(h, mesh, vpm) || is_zero(next(h, mesh), mesh, vpm) || is_zero(prev(h, mesh), mesh, vpm);
 }
 
-// The facets that the oracle rejects, and those at vertices whose facets it accepts but whose fan does not wind once.
-// Frozen facets, and fans that have some, do not count, nor fans at a border, nor, on request, facets with an edge of
-// length zero.
+// Returns the facets that the oracle rejects, and the facets at vertices whose facets are all accepted but whose fan
+// does not wind once. Frozen facets, fans with a frozen facet, fans at a border and, on request, facets with an edge of
+// length zero are skipped.
 template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename Oracle>
 Frozen_facets<TriangleMesh> find_rejected_facets(const TriangleMesh& mesh, VertexPointMap vpm, const Oracle& oracle,
                                                  const Frozen_facets<TriangleMesh>& frozen, bool are_zero_edges_allowed,
@@ -103,7 +103,7 @@ Frozen_facets<TriangleMesh> find_rejected_facets(const TriangleMesh& mesh, Verte
   return rejected;
 }
 
-// Facets with an edge of length zero vanish, unless a frozen vertex keeps the edge: then they are frozen, too.
+// Facets with an edge of length zero vanish. If a frozen vertex keeps the edge, they are frozen instead.
 template <typename TriangleMesh, typename VertexPointMap>
 void freeze_zero_edges(const TriangleMesh& mesh, VertexPointMap vpm, Frozen_facets<TriangleMesh>& frozen)
 {

@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Moves a point along the gradient of a field to where its value is the mean of the values at two points, rounded.
-// Returns nothing if any of the points is outside the domain, or leaves it.
+// Moves a point along the gradient of a field to where its value is the mean of the values at two points, up to
+// rounding. Returns nothing if any of the points is outside the domain, or leaves it.
 template <typename Field>
 std::optional<typename Field::Point_3> move_to_mean_level(const Field& field, const typename Field::Point_3& p,
                                                           const typename Field::Point_3& a,
@@ -26,7 +26,7 @@ std::optional<typename Field::Point_3> move_to_mean_level(const Field& field, co
   const auto fa = field.value(a), fb = field.value(b);
   if(!fa || !fb) return std::nullopt;
   const double level = (*fa + *fb) / 2;
-  constexpr int steps = 3; // of Newton's method; the field is nearly linear across the shell
+  constexpr int steps = 3; // steps of Newton's method; the field is nearly linear across the shell
   typename Field::Point_3 x = p;
   for(int n = 0; n < steps; ++n) {
     const typename Field::Cell_index c = field.locate(x);

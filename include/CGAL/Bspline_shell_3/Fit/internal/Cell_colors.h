@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Tiles of 4 x 4 cells of a level across y and z in four colors: functions of two tiles of one color are apart.
+// Colors tiles of 4 x 4 cells of a level across y and z with four colors: no function acts on two tiles of a color.
 template <typename Field>
 class Cell_colors
 {
@@ -45,8 +45,8 @@ public:
     }
   }
 
-  // Calls f(cell) for every cell, so that cells with a common function are never handled at the same time, and each
-  // entry is summed in an order that does not depend on the number of threads.
+  // Calls f(cell) for every cell. Cells with a common function are never processed at the same time, and each entry is
+  // summed in an order that does not depend on the number of threads.
   template <typename ConcurrencyTag, typename Function>
   void for_each_cell(const Function& f) const
   {

@@ -23,11 +23,11 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Assembles a symmetric matrix and a right-hand side, for the coefficients at all points of all levels, from 64 x 64
-// matrices of cells. Coefficients of different levels are not coupled. The matrix holds its lower triangle: column c
-// has the points at lattice offsets that do not precede (0, 0, 0) in the order (k, j, i). As the points of an x-row are
-// numbered consecutively, a column is 25 segments of consecutive rows, one for each offset (dj, dk), and no index is
-// ever searched for. If points are chosen, columns of others are empty.
+// Assembles a symmetric matrix and a right-hand side for the coefficients at all points of all levels, from 64 x 64
+// matrices of cells. Coefficients of different levels are not coupled. The matrix stores its lower triangle: column c
+// has the points at lattice offsets that do not precede (0, 0, 0) in the order (k, j, i). The points of an x-row are
+// numbered consecutively. A column is therefore 25 segments of consecutive rows, one for each offset (dj, dk), and
+// indices need not be searched. If points are chosen, the columns of other points are empty.
 template <typename Field>
 class Normal_equations
 {
@@ -39,14 +39,14 @@ class Normal_equations
   struct Segment
   {
     Index first;            // row index of the first entry
-    std::uint32_t position; // of that entry, from the start of the column
+    std::uint32_t position; // position of that entry, from the start of the column
   };
 
-  // (0, 0..3) and (1..3, -3..3)
+  // The offsets (dk, dj) are (0, 0..3) and (1..3, -3..3).
   static int segment(int dj, int dk) { return dk == 0 ? dj : 4 + (dk - 1) * 7 + dj + 3; }
 
 public:
-  // chosen: by point whether it is, or nothing: all are; it outlives this object
+  // `chosen` is a flag for each point, or null for all points; it outlives this object.
   explicit Normal_equations(const Field& field, const std::vector<char>* chosen = nullptr)
     : m_field(field), m_chosen(chosen)
   {
@@ -68,7 +68,7 @@ public:
   bool has_all_points() const { return m_chosen == nullptr; }
   bool is_chosen(Index point) const { return m_chosen == nullptr || (*m_chosen)[point]; }
 
-  // entries of the lower triangle
+  // Returns the number of entries of the lower triangle.
   std::size_t number_of_entries() const
   {
     std::size_t n = 0;
@@ -101,7 +101,7 @@ public:
     b = Vector::Zero(n);
   }
 
-  // only the lower triangle of `local` is read
+  // Reads only the lower triangle of `local`.
   void add(Index cell, const Eigen::Matrix<double, 64, 64>& local, const Eigen::Matrix<double, 64, 1>& rhs, Matrix& A,
            Vector& b) const
   {
@@ -124,8 +124,8 @@ public:
       }
   }
 
-  // the entry of two chosen points of a level whose lattice offset, from column to row, is at most three along each
-  // axis
+  // Returns the entry of two chosen points of a level. Their lattice offset, from column to row, is at most three along
+  // each axis.
   double entry(const Matrix& A, Index row, Index column, int dj, int dk) const
   {
     if(row < column) return entry(A, column, row, -dj, -dk);
@@ -134,7 +134,7 @@ public:
   }
 
 private:
-  // calls visit(dj, dk, rows) for the rows of the column of a point
+  // Calls visit(dj, dk, rows) for the rows of the column of a point.
   template <typename Visitor>
   void for_each_segment(int level, Index n, const Visitor& visit) const
   {

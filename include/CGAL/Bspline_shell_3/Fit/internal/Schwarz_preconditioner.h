@@ -23,10 +23,10 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Additive Schwarz: the sum over overlapping blocks of the inverses of the matrix restricted to them. Functions of a
-// cell are coupled so strongly that the diagonal alone takes nine times the iterations. Models Eigen's preconditioner
-// concept. Blocks are kept as the inverse W of their Cholesky factor, in single precision: W^T W is positive definite
-// however it is rounded.
+// Additive Schwarz preconditioner: the sum over overlapping blocks of the inverses of the matrix restricted to them.
+// Functions of a cell are coupled so strongly that the diagonal alone takes nine times as many iterations. Models
+// Eigen's preconditioner concept. A block is stored as the inverse W of its Cholesky factor, in single precision: W^T W
+// is positive definite whatever the rounding.
 template <typename ConcurrencyTag>
 class Schwarz_preconditioner
 {
@@ -40,7 +40,7 @@ public:
     MaxColsAtCompileTime = Eigen::Dynamic
   };
 
-  // without any, each unknown is a block
+  // Without blocks, each unknown is a block.
   void set_blocks(const Unknown_blocks* blocks) { m_blocks = blocks; }
 
   template <typename Matrix>
@@ -49,7 +49,7 @@ public:
     return *this;
   }
 
-  // the columns of its lower triangle are compressed, their rows ascending
+  // pre: the columns of the lower triangle of `matrix` are compressed, and their rows ascend
   template <typename Matrix>
   Schwarz_preconditioner& factorize(const Matrix& matrix)
   {
@@ -68,7 +68,7 @@ public:
     return factorize(matrix);
   }
 
-  // a reference to memory that the next call writes to
+  // Returns a reference to memory that the next call overwrites.
   template <typename Vector>
   const Eigen::VectorXd& solve(const Vector& r) const
   {
@@ -124,7 +124,7 @@ private:
     m_factors.resize(m_first_factor.back());
     m_local.resize(m_unknowns.size());
     m_result.resize(n);
-    // where the results of each unknown are, by counting
+    // the positions of the results of each unknown, by counting
     m_first_position.assign(std::size_t(n) + 1, 0);
     for(std::uint32_t u : m_unknowns) ++m_first_position[u + 1];
     for(std::size_t u = 0; u < n; ++u) m_first_position[u + 1] += m_first_position[u];
@@ -147,13 +147,13 @@ private:
         if(row != end && *row == std::uint32_t(it.row())) B(row - begin, c) = it.value();
       }
     }
-    // scaled to a unit diagonal: functions at the border of the domain are smaller by orders of magnitude
+    // Scaled to a unit diagonal, as functions at the border of the domain are smaller by orders of magnitude.
     Eigen::VectorXd scale(size);
     for(Eigen::Index i = 0; i < size; ++i) scale[i] = B(i, i) > 0 ? 1 / std::sqrt(B(i, i)) : 1;
     for(Eigen::Index c = 0; c < size; ++c)
       for(Eigen::Index r = c; r < size; ++r) B(r, c) *= scale[r] * scale[c];
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd> > factorization(B);
-    // a block without a factor, which rounding may cause, gets its diagonal
+    // If rounding leaves a block without a factor, its diagonal is used.
     if(factorization.info() == Eigen::Success) invert_lower_triangle(B);
     else B.setIdentity();
     float* packed = &m_factors[m_first_factor[b]];
@@ -161,7 +161,7 @@ private:
       for(Eigen::Index j = 0; j <= i; ++j) *packed++ = float(B(i, j) * scale[j]);
   }
 
-  // by halves, so that products do most of the work, and nothing is multiplied by zeros
+  // Inverts by halves: most of the work is products of matrices, without multiplications by zeros.
   static void invert_lower_triangle(Eigen::Ref<Eigen::MatrixXd> L)
   {
     constexpr int small = 16;
@@ -181,12 +181,12 @@ private:
   }
 
   const Unknown_blocks* m_blocks = nullptr;
-  std::vector<std::uint32_t> m_unknowns; // by block
-  std::vector<std::size_t> m_first;      // of each block, and the end
+  std::vector<std::uint32_t> m_unknowns; // unknowns, block by block
+  std::vector<std::size_t> m_first;      // first unknown of each block, and the end
   std::vector<float> m_factors;          // W of each block, its rows packed
   std::vector<std::size_t> m_first_factor;
-  std::vector<std::size_t> m_first_position; // of each unknown, and the end
-  std::vector<std::uint32_t> m_positions;    // where it is in m_local
+  std::vector<std::size_t> m_first_position; // first position of each unknown, and the end
+  std::vector<std::uint32_t> m_positions;    // positions of its results in m_local
   mutable std::vector<float> m_local;        // results of the blocks
   mutable Eigen::VectorXd m_result;
 };

@@ -41,9 +41,9 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// A sparse symmetric matrix, given by its lower triangle, for Eigen's iterative solvers: Eigen's own product by a
-// triangle has one thread. Here each of a fixed number of ranges of columns adds to a vector of its own, and these are
-// summed in order: the product is the same with any number of threads.
+// A sparse symmetric matrix, given by its lower triangle, for Eigen's iterative solvers. Eigen's own product with a
+// triangle is single-threaded. Here, each of a fixed number of column ranges adds to its own vector, and the vectors
+// are summed in order. The product does not depend on the number of threads.
 template <typename ConcurrencyTag>
 class Symmetric_matrix : public Eigen::EigenBase<Symmetric_matrix<ConcurrencyTag> >
 {
@@ -60,7 +60,7 @@ public:
     IsRowMajor = false
   };
 
-  // columns of `lower` are compressed and begin with the diagonal; it outlives this object
+  // pre: the columns of `lower` are compressed and begin with the diagonal; `lower` outlives this object
   explicit Symmetric_matrix(const Triangle& lower) : m_lower(lower)
   {
     const Index size = lower.cols();
@@ -120,8 +120,8 @@ private:
   static constexpr std::size_t ranges = 16;
 
   const Triangle& m_lower;
-  std::array<Index, ranges + 1> m_begin;              // columns; about as many entries in each range
-  mutable std::array<Eigen::VectorXd, ranges> m_sums; // from the first column of each range
+  std::array<Index, ranges + 1> m_begin;              // first columns; about as many entries in each range
+  mutable std::array<Eigen::VectorXd, ranges> m_sums; // by range, from its first column
 };
 
 } // namespace internal

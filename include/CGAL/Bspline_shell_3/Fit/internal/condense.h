@@ -24,14 +24,14 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// From equations for the coefficients at all points to equations for the free ones, P^T A P and P^T b, where x = P
-// (free x) inserts what dependent coefficients are.
+// Converts equations for the coefficients at all points to equations for the free ones, P^T A P and P^T b. The matrix P
+// computes all coefficients from the free ones.
 //
-// Of each point near a dependent one, the row of A restricted to dependent points, times P, is a window of six
-// coefficients a side of the level above. It is worked out one axis after the other. A free point's window is what
-// couples it to that level, and is needed once; windows of dependent points are summed, with their weights, into the
-// rows of the coefficients they depend on. All columns are worked out apart from each other. If points were chosen,
-// rows and columns of free ones that were not are empty; the dependent ones must be chosen that depend on one that was.
+// For each point near a dependent one, the row of A restricted to dependent points, times P, is a window of six
+// coefficients per side of the level above. It is computed one axis after the other. The window of a free point couples
+// it to that level, and is needed once. Windows of dependent points are added, with their weights, to the rows of the
+// coefficients that they depend on. All columns are computed independently. If points were chosen, rows and columns of
+// other free points are empty; all points that depend on a chosen one must be chosen, too.
 template <typename Field>
 class Condensation
 {
@@ -42,7 +42,7 @@ class Condensation
 
   struct Window
   {
-    Lattice_point first; // least lattice point, of the level above
+    Lattice_point first; // least lattice point, on the level above
     std::array<double, width * width * width> entry;
   };
 
@@ -55,11 +55,11 @@ public:
   void operator()(Matrix& A)
   {
     find_windows();
-    m_windows.reset(new Window[m_dependent.size()]); // as they are: several threads write to them, first and once
+    m_windows.reset(new Window[m_dependent.size()]); // uninitialized: threads write each of them once
     for_each_chunk<ConcurrencyTag>(m_dependent.size(), 256, [&](std::size_t begin, std::size_t end) {
       for(std::size_t n = begin; n < end; ++n) compute_window(m_dependent[n][0], m_dependent[n][1], m_windows[n]);
     });
-    // how long the columns are, and then their entries
+    // First the lengths of the columns, then their entries.
     const std::size_t size = m_field.number_of_coefficients();
     std::vector<int> length(size);
     A.resize(Eigen::Index(size), Eigen::Index(size));
@@ -84,7 +84,7 @@ private:
 
   bool is_chosen(int level, Index n) const { return m_equations.is_chosen(m_field.first_point(level) + n); }
 
-  // chosen free points of a level and their numbers in it, in parallel
+  // Calls f(level, number in the level, coefficient) for the chosen free points, in parallel.
   template <typename ConcurrencyTag, typename Function>
   void for_each_column(const Function& f) const
   {
@@ -97,7 +97,7 @@ private:
       });
   }
 
-  // dependent points, and free ones that are coupled to one
+  // Finds dependent points, and free points that are coupled to one.
   void find_windows()
   {
     m_window_of.assign(m_field.number_of_points(), npos);
@@ -119,7 +119,7 @@ private:
     }
   }
 
-  // the least parent of p - 3
+  // Returns the least parent of p - 3.
   static Lattice_point first_of_window(const Lattice_point& p)
   {
     Lattice_point first;
@@ -168,7 +168,7 @@ private:
   }
 
   // Calls same(row, di, dj, dk) for the rows of the point's level, and then above(row, entry of the window) for those
-  // of the level above; rows ascend.
+  // of the level above. Rows ascend.
   template <typename Same, typename Above>
   void visit_rows(int level, Index n, const Same& same, const Above& above) const
   {
@@ -200,7 +200,7 @@ private:
   {
     const Lattice_point& p = m_field.points(level).point(n);
     const Index column = m_field.first_point(level) + n;
-    // what dependent coefficients of the next level bring, by lattice offset
+    // contributions of dependent coefficients of the next level, by lattice offset
     std::array<double, 4 * stencil* stencil> sums = {};
     bool any = false;
     if(level + 1 < m_field.number_of_levels()) {
@@ -237,7 +237,7 @@ private:
       });
   }
 
-  // the part of a window that does not precede p
+  // Adds the part of a window that does not precede p.
   static void add_window(const Window& w, double weight, const Lattice_point& p,
                          std::array<double, 4 * stencil * stencil>& sums)
   {
@@ -260,12 +260,12 @@ private:
   const Field& m_field;
   const Normal_equations<Field>& m_equations;
   const Matrix& m_all;
-  std::vector<Index> m_window_of; // of each point: the number of its window; or its own, which is not kept; or npos
-  std::vector<std::array<Index, 2> > m_dependent; // chosen points: level and number in it
-  std::unique_ptr<Window[]> m_windows;            // theirs
+  std::vector<Index> m_window_of; // by point: the number of its window; or `own`, which is not stored; or npos
+  std::vector<std::array<Index, 2> > m_dependent; // chosen dependent points: level and number in it
+  std::unique_ptr<Window[]> m_windows;            // windows of the dependent points
 };
 
-// P^T all P and P^T b; moved where all coefficients are free, and chosen
+// Computes P^T all P and P^T b. If all coefficients are free and chosen, the equations are moved.
 template <typename ConcurrencyTag, typename Field>
 void condense(const Field& field, const Normal_equations<Field>& equations, Eigen::SparseMatrix<double>& all,
               Eigen::VectorXd& all_rhs, Eigen::SparseMatrix<double>& A, Eigen::VectorXd& b)

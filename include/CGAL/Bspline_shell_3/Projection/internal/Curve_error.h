@@ -17,9 +17,9 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Logarithmic rates, by the value of f, at which integral curves move apart: across the curve, where they do so most
-// and least. They are the eigenvalues of the Hessian, restricted to the tangent plane of the level set, over |grad
-// f|^2.
+// The largest and the least logarithmic rate, by the value of f, at which integral curves move apart, over all
+// directions across the curve. These are the eigenvalues of the Hessian, restricted to the tangent plane of the level
+// set, over |grad f|^2.
 struct Divergence
 {
   double most, least;
@@ -45,17 +45,17 @@ Divergence divergence(const Tricubic_cell_3& cell, const Point& p)
   return { (half_trace + root) / square, (half_trace - root) / square };
 }
 
-// Estimates, to first order, what the errors of the steps along an integral curve amount to. An error along the curve
-// is a shift of its parameter and does not count.
+// Estimates, to first order, the accumulated error of the steps along an integral curve. An error along the curve
+// shifts its parameter and does not count.
 class Curve_error
 {
 public:
   explicit Curve_error(const Divergence& at_start = {}) : m_divergence(at_start) {}
 
-  // a step over which f changes by `ds`, with an error, ends where curves diverge like that
+  // Adds a step over which f changes by `ds`, with its error and the divergence of curves at its end.
   void add_step(double ds, double error, const Divergence& at_end)
   {
-    // The divergence changes little during a step. Where f decreases, curves that moved apart approach each other.
+    // The divergence changes little during a step. If f decreases, curves that moved apart approach each other.
     const double a = ds * (m_divergence.most + at_end.most) / 2, b = ds * (m_divergence.least + at_end.least) / 2;
     m_at_end = m_at_end * std::exp((std::max)(a, b)) + error;
     m_approach -= (std::min)(a, b);
@@ -63,27 +63,27 @@ public:
     m_divergence = at_end;
   }
 
-  // how far the end is from the exact curve through the start
+  // Returns the distance of the end from the exact curve through the start.
   double at_end() const { return m_at_end; }
-  // how far the start is from the exact curve through the end
+  // Returns the distance of the start from the exact curve through the end.
   double at_start() const { return m_at_start; }
 
 private:
   Divergence m_divergence;
   double m_at_end = 0, m_at_start = 0;
-  double m_approach = 0; // the logarithm of the largest factor by which distances at the end grow back to the start
+  double m_approach = 0; // logarithm of the largest factor by which distances at the end grow back to the start
 };
 
-// Estimated distances: of an image from the exact one, and of the start from the exact curve through the image.
+// Estimated distances of an image from the exact one, and of the start from the exact curve through the image.
 struct Image_error
 {
   double at_image = 0, at_start = 0;
 };
 
-// Traces a curve, and traces it again in shorter steps while an estimated error exceeds the tolerance. The error at the
-// image must not, in the end: otherwise the status is `TOO_MANY_STEPS`. Where curves approach each other so much that
-// `double`s do not tell them apart at the image, the error at the start exceeds it. `trace(step_tolerance, result)`
-// returns a status; the result has a member `error`.
+// Traces a curve, and traces it again in shorter steps while an estimated error exceeds the tolerance. If the error at
+// the image finally exceeds it, the status is `TOO_MANY_STEPS`. The error at the start exceeds it where curves approach
+// each other so closely that `double`s do not distinguish them at the image. `trace(step_tolerance, result)` returns a
+// status; the result has a member `error`.
 template <typename Result, typename Trace>
 Flow_status keep_tolerance(double tolerance, Result& result, const Trace& trace)
 {

@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// the facet that the integral curve through a point meets
+// Finds the facet that the integral curve through a point meets.
 template <typename Shell>
 class Facet_on_curve
 {
@@ -39,12 +39,12 @@ public:
 
   typedef Curve_hit Hit;
 
-  // pre: shell and facets outlive this object
+  // pre: `shell` and `facets` outlive this object
   Facet_on_curve(const Shell& shell, const Projection_facets_3& facets, double tolerance)
     : m_shell(&shell), m_facets(&facets), m_tolerance(tolerance)
   {}
 
-  // `near`: a facet where the search begins, or `npos`
+  // `near` is a facet where the search begins, or `npos`.
   Flow_status operator()(const Coordinates& start, Index near, Hit& hit) const;
 
 private:
@@ -52,15 +52,15 @@ private:
 
   Flow_status trace(const Coordinates& start, Index near, double step_tolerance, Hit& hit) const;
 
-  // of the angle at which the curve passes the plane of a facet
+  // Returns the sine of the angle between the curve and the plane of a facet.
   double sine(const Curve& curve, Index facet) const
   {
     const Coordinates& normal = m_facets->normal(facet);
     return dot(normal, curve.derivative()) / (norm(normal) * curve.speed());
   }
 
-  // Where the curve passes the plane of the facet: Newton's method on the last step, as on a line nothing is left to do
-  // after one iteration. Fails if that is not during the step; `s` is then a guess of where.
+  // Finds where the curve passes the plane of the facet, by Newton's method on the last step. On a line, one iteration
+  // suffices. Returns false if this is not during the step; `s` is then an estimate.
   bool pass_plane(const Curve& curve, Index facet, double& s, Coordinates& x) const
   {
     const double speed = curve.speed(), rate = dot(m_facets->normal(facet), curve.derivative());
@@ -83,7 +83,8 @@ private:
     return false;
   }
 
-  // From a facet that the tangent meets, over edges, to the one where the curve does. Gives up rather than err.
+  // Walks over edges from a facet that the tangent meets to the one that the curve meets. Fails if the walk is not
+  // conclusive.
   bool walk(Curve& curve, Index facet, Hit& best) const
   {
     Index previous = Projection_facets_3::npos;
@@ -109,12 +110,12 @@ private:
     return best.facet != Projection_facets_3::npos;
   }
 
-  // Ends the curve at the facet that was found, where it passes its plane: tells whether that is on the facet and in
-  // the shell, up to the tolerance.
+  // Ends the curve where it passes the plane of the facet that was found. Returns whether this point is on the facet
+  // and in the shell, up to the tolerance.
   bool settle(Curve& curve, Hit& hit) const
   {
     double goal = hit.value;
-    constexpr int most_corrections = 50; // more than Newton's method ever takes
+    constexpr int most_corrections = 50; // Newton's method takes fewer
     for(int corrections = 0; corrections < most_corrections;) {
       const double low = (std::min)(curve.begin(), curve.value()), high = (std::max)(curve.begin(), curve.value());
       if(goal >= low && goal <= high) curve.cut(goal);
@@ -143,13 +144,13 @@ private:
     return false;
   }
 
-  // A point of the target is its own image, also on facets so steep that rounding moves where the curve passes their
-  // planes out of them.
+  // Returns whether the start lies on a facet, and is thus its own image. On steep facets, rounding may move the
+  // intersection of the curve and the plane out of the facet.
   bool find_facet_at(const Coordinates& start, Hit& best) const
   {
     Curve curve(*m_shell, m_tolerance);
     curve.start(start);
-    const double margin = curve.crossing_precision(1); // as precisely as curves end at facets
+    const double margin = curve.crossing_precision(1); // the precision with which curves end at facets
     double least = margin;
     best = Hit();
     const Bbox_3 box(start[0] - margin, start[1] - margin, start[2] - margin, start[0] + margin, start[1] + margin,
@@ -169,7 +170,7 @@ private:
     return best.facet != Projection_facets_3::npos;
   }
 
-  // along the whole curve through a point, all facets near it
+  // Searches all facets near the whole curve through a point.
   Flow_status search(const Coordinates& start, double step_tolerance, Hit& best) const
   {
     if(find_facet_at(start, best)) return Flow_status::SUCCESS;
@@ -192,7 +193,7 @@ private:
       curve.start(start);
       const bool is_inside = best.outside <= 0;
       if(settle(curve, best)) return Flow_status::SUCCESS;
-      // there is an image, but it is not found with the accuracy asked for
+      // The image exists, but is not found with the required accuracy.
       if(is_inside) return Flow_status::TOO_MANY_STEPS;
     }
     return wrong_way ? Flow_status::FACES_WRONG_WAY : failure;
@@ -218,7 +219,7 @@ Flow_status Facet_on_curve<Shell>::trace(const Coordinates& start, Index near, d
   Curve curve(*m_shell, m_tolerance, step_tolerance);
   const Flow_status status = curve.start(start);
   if(status != Flow_status::SUCCESS) return status;
-  // the facet that the tangent meets, over edges or by the tree
+  // The facet that the tangent meets is found over edges or in the tree.
   const Coordinates x = curve.state(), tangent = curve.derivative();
   const double above = curve.room(true), below = curve.room(false),
                margin = curve_tuning.bend * (above - below) * curve.speed();

@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// dx/ds = grad f / |grad f|^2, so that s is the value of f
+// The velocity dx/ds = grad f / |grad f|^2; s is the value of f.
 struct Flow_velocity
 {
   typedef std::array<double, 3> State;
@@ -34,10 +34,10 @@ struct Flow_velocity
 
   void operator()(const State& x, State& dx, double /* s */) const { evaluate(x, dx); }
 
-  // returns f
+  // Returns f.
   double evaluate(const State& x, State& dx) const
   {
-    // by local coordinates, which spares divisions: with h = width grad f, dx = width h / |h|^2
+    // Local coordinates save divisions: with h = width grad f, dx = width h / |h|^2.
     const auto jet = cell.local_first_order_jet(cell.local_coordinates(x));
     const auto& h = jet.gradient;
     const double scale = cell.width() / dot(h, h);
@@ -46,8 +46,9 @@ struct Flow_velocity
   }
 };
 
-// The same, and the derivatives of x by the start, as three columns, times `unit`: so that one tolerance suits all of
-// the state. With g = grad f and H its Hessian, the velocity has the derivative (I - 2 g g^T / |g|^2) H / |g|^2.
+// The velocity, and the derivatives of x with respect to the start: three columns, times `unit`, so that one tolerance
+// suits the whole state. With g = grad f and H its Hessian, the velocity has the derivative (I - 2 g g^T / |g|^2) H /
+// |g|^2.
 struct Flow_velocity_with_differential
 {
   typedef std::array<double, 12> State;
@@ -74,8 +75,8 @@ struct Flow_velocity_with_differential
   }
 };
 
-// About a unit in the last place of the coordinates in a shell. The coordinates of all cells differ from the first
-// one's by a few boxes at most.
+// Returns about one unit in the last place of the coordinates in a shell. The coordinates of all cells differ from
+// those of the first cell by a few bounding boxes at most.
 template <typename Shell>
 double coordinate_rounding(const Shell& shell)
 {
@@ -88,11 +89,11 @@ double coordinate_rounding(const Shell& shell)
 
 // Steps along an integral curve of a shell's field.
 //
-// A step is taken with the polynomial of one cell, also where its stages lie outside of it, and ends at the latest
-// where the curve leaves the cell: what is integrated is analytic, and the order of the method is kept, whereas the
-// third derivatives of the field jump between cells. A curve may be beyond a face by `slack` of the cell's width before
-// it changes to the neighbor: as the two polynomials agree up to second derivatives there, they differ by 1e-18 of the
-// third ones, and a curve along a face does not go to and fro.
+// A step is taken with the polynomial of one cell, even if its stages lie outside the cell. It ends where the curve
+// leaves the cell. The integrand is thus analytic and the order of the method is kept, although the third derivatives
+// of the field jump between cells. A curve changes to the neighbor only when it is beyond a face by `slack` of the
+// cell's width, so that a curve along a face does not alternate between cells. The two polynomials agree up to second
+// derivatives there and thus differ by 1e-18 of the third ones.
 template <typename Shell, typename Velocity>
 class Integral_curve
 {
@@ -102,15 +103,15 @@ class Integral_curve
 public:
   typedef typename Velocity::State State;
 
-  // `tolerance`: by how much the curve may leave the shell. `step_tolerance`: the curve's share of it, in steps'
-  // errors. Both are in user units.
+  // `tolerance` is the distance by which the curve may leave the shell. `step_tolerance` is the tolerance for the
+  // errors of all steps. Both are in user units.
   Integral_curve(const Shell& shell, double tolerance, double step_tolerance)
     : m_shell(&shell), m_tolerance(tolerance), m_step_tolerance(step_tolerance),
       m_rounding(coordinate_rounding(shell)), m_velocity{ shell.field().cell(0) }
   {}
   Integral_curve(const Shell& shell, double tolerance) : Integral_curve(shell, tolerance, tolerance) {}
 
-  // begins a curve. State and value are valid after success only.
+  // Begins a curve. State and value are valid after success only.
   Flow_status start(const State& x)
   {
     for(int a = 0; a < 3; ++a)
@@ -134,22 +135,22 @@ public:
   }
 
   double tolerance() const { return m_tolerance; }
-  // of the places where planes are passed, at an angle with this sine: a thousandth of the tolerance, or the rounding
-  // of coordinates if that is more
+  // Returns the precision of intersections with planes at an angle with this sine: a thousandth of the tolerance, or
+  // the rounding of coordinates if that is more.
   double crossing_precision(double sine) const { return (std::max)(1e-3 * m_tolerance, 4 * m_rounding / sine); }
   const State& state() const { return m_end; }
   const State& derivative() const { return m_end_dx; }
-  double value() const { return m_end_s; } // of f
-  // how long the curve is where f grows by 1
+  double value() const { return m_end_s; } // value of f
+  // Returns the length of the curve per unit of f.
   double speed() const
   {
     return std::sqrt(m_end_dx[0] * m_end_dx[0] + m_end_dx[1] * m_end_dx[1] + m_end_dx[2] * m_end_dx[2]);
   }
-  // the outer or the inner threshold minus the value
+  // Returns the outer or the inner threshold minus the value.
   double room(bool outwards) const { return threshold(outwards, m_end) - m_end_s; }
 
-  // One step towards `goal`, a value of f. It may end before, where the cell does or where the error grows. If it
-  // leaves the shell, what there is of the step may still be looked at.
+  // Takes one step towards `goal`, a value of f. It may end earlier, at the end of the cell or where the error grows.
+  // If the curve leaves the shell, the last step may still be examined.
   Flow_status step(double goal)
   {
     do {
@@ -157,14 +158,14 @@ public:
       const Flow_status status = step_in_cell(goal);
       m_has_left = status == Flow_status::LEAVES_SHELL;
       if(status != Flow_status::SUCCESS) return status;
-    } while(m_end_s == m_begin_s && m_end_s != goal); // at the face that it left the cell through
+    } while(m_end_s == m_begin_s && m_end_s != goal); // repeated if only the cell was changed
     return Flow_status::SUCCESS;
   }
 
   // The curve during the last step
   // @{
   double begin() const { return m_begin_s; }
-  // between `begin()` and `value()`: less exact than at the ends
+  // Returns a point between `begin()` and `value()`; it is less exact than the ends.
   State at(double s) const
   {
     if(m_stepped.s == m_begin_s) return m_begin;
@@ -172,8 +173,8 @@ public:
     m_stepper.calc_state(s, x, m_begin, m_begin_dx, m_begin_s, m_stepped.x, m_stepped.dx, m_stepped.s);
     return x;
   }
-  // Makes the step end at `s`, which is in it. The polynomial between its ends has their places and derivatives: with t
-  // = (s - begin) / length, it is off by (4 t (1 - t))^2 times as much as in the middle, which is next to nothing near
+  // Ends the step at `s`, which lies in it. The polynomial between the ends of the step matches their positions and
+  // derivatives. With t = (s - begin) / length, its error is (4 t (1 - t))^2 times that in the middle: negligible near
   // the end.
   void cut(double s)
   {
@@ -191,20 +192,20 @@ public:
       m_stepped = { m_end, m_end_dx, m_end_s };
     }
   }
-  // whether a point of it is between the thresholds, or nearer to them than the tolerance
+  // Returns whether a point of the step is between the thresholds, up to the tolerance.
   bool is_within_thresholds(const State& x, double s) const
   {
     const double tolerance = m_tolerance / speed();
     return s <= threshold(true, x) + tolerance && s >= threshold(false, x) - tolerance;
   }
-  // what the errors of all steps amount to
+  // Returns the accumulated error of all steps.
   Curve_error error() const
   {
     Curve_error error = m_error;
     if(m_end_s != m_begin_s) error.add_step(m_end_s - m_begin_s, error_of_step(), divergence(m_velocity.cell, m_end));
     return error;
   }
-  // how far f at a point of it is from `s`, which it is where the curve is exact
+  // Returns the difference between f at a point of the step and `s`, which is zero if the curve is exact.
   double drift(const State& x, double s) const { return std::abs(m_velocity.cell.value(x) - s); }
   // @}
 
@@ -219,14 +220,14 @@ private:
     return std::isfinite(sum);
   }
 
-  // finite, and the gradient larger by far than what rounding may have made of zero
+  // Returns whether the velocity is finite, and the gradient much larger than a zero gradient with rounding errors.
   bool is_gradient_certain() const
   {
     constexpr double safety = 100;
     return is_finite(m_end_dx) && speed() * safety * m_velocity.cell.error_radius() < m_velocity.cell.width();
   }
-  // Curves that turn by a right angle or more in one step have jumped over a critical point, or have not been seen
-  // well.
+  // Returns whether the curve turned by less than a right angle. Otherwise, it jumped over a critical point or was
+  // poorly resolved.
   bool goes_on() const
   {
     return m_begin_dx[0] * m_end_dx[0] + m_begin_dx[1] * m_end_dx[1] + m_begin_dx[2] * m_end_dx[2] > 0;
@@ -246,7 +247,7 @@ private:
     m_next_cell = Field::npos;
   }
 
-  // the estimated error of the last step, and its rounding, user units
+  // Returns the estimated error of the last step plus its rounding error, user units.
   double error_of_step() const
   {
     const double largest = (std::max)({ std::abs(m_end[0]), std::abs(m_end[1]), std::abs(m_end[2]) });
@@ -270,12 +271,12 @@ private:
     begin_step();
     const double longest = m_velocity.cell.width() / speed();
     double ds = goal - m_begin_s;
-    // computed here, as most curves end after a step
+    // Computed only here, as most curves end after one step.
     m_step_size = Step_adjuster().increase_step(m_step_size, m_step_error, Stepper::stepper_order_value);
     for(double limit : { m_step_size, longest })
       if(std::abs(ds) > limit) ds = std::copysign(limit, ds);
     for(;;) {
-      // steps that are lost in rounding are never enough
+      // Steps that are lost in rounding make no progress.
       if(m_begin_s + ds == m_begin_s && goal != m_begin_s) {
         cut(m_begin_s);
         return Flow_status::GRADIENT_VANISHES;
@@ -323,8 +324,9 @@ private:
     }
     if(axis != -1) {
       cut(exit);
-      // Over the face, not over an edge of it: what is on edges belongs to cells that the curve may not come to, or
-      // come back from. Where the cell over the face is none of the shell's, the one that the point is in may be.
+      // Leave the cell over the face, not over one of its edges. Points on edges belong to cells that the curve may not
+      // enter, or may leave again. If the cell beyond the face is not in the shell, try the cell that contains the
+      // point.
       const std::array<double, 3> x = { m_end[0], m_end[1], m_end[2] };
       std::array<double, 3> beyond;
       for(int a = 0; a < 3; ++a)
@@ -344,11 +346,11 @@ private:
     return beyond * speed() <= m_tolerance ? Flow_status::SUCCESS : Flow_status::LEAVES_SHELL;
   }
 
-  // where a coordinate passes a plane during the step, to a precision of it: regula falsi, the Illinois variant
+  // Returns where a coordinate passes a plane during the step, up to `precision` (regula falsi, Illinois variant).
   double crossing(int axis, double plane, double precision) const
   {
     double s0 = m_begin_s, s1 = m_end_s, d0 = m_begin[axis] - plane, d1 = m_end[axis] - plane;
-    if((d0 < 0) == (d1 < 0)) return m_begin_s; // it began beyond, by the slack at most
+    if((d0 < 0) == (d1 < 0)) return m_begin_s; // the step began beyond the plane, by the slack at most
     for(int i = 0; i < 60; ++i) {
       const double s = s1 - d1 * (s1 - s0) / (d1 - d0), d = at(s)[axis] - plane;
       if(std::abs(d) <= precision) return s;
@@ -370,20 +372,20 @@ private:
   double m_tolerance, m_step_tolerance, m_rounding;
   Velocity m_velocity;
   Stepper m_stepper;
-  Cell_index m_cell = Field::npos;      // of the last step
-  Cell_index m_next_cell = Field::npos; // if it left that one
+  Cell_index m_cell = Field::npos;      // cell of the last step
+  Cell_index m_next_cell = Field::npos; // next cell, if the step left its cell
   State m_begin, m_begin_dx, m_end, m_end_dx;
   double m_begin_s = 0, m_end_s = 0;
   struct
   {
     State x, dx;
     double s;
-  } m_stepped;             // where the last step of the method ended, before it was cut
-  double m_step_size = 0;  // of the last step, as a difference of f
-  double m_step_error = 0; // of that step, as a part of what is allowed
-  Curve_error m_error;     // of the steps before the last one
+  } m_stepped;             // where the last step of the method ended before it was cut
+  double m_step_size = 0;  // size of the last step, as a difference of f
+  double m_step_error = 0; // error of that step, as a fraction of the allowed one
+  Curve_error m_error;     // error of the steps before the last one
   int m_steps = 0;
-  bool m_has_left = false; // the shell
+  bool m_has_left = false; // whether the curve has left the shell
 };
 
 } // namespace internal

@@ -17,21 +17,21 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The facet that the integral curve through a point meets first, from the outer surface of the shell inwards, whichever
-// way it faces.
+// Finds the facet that the integral curve through a point meets first, from the outer surface of the shell inwards, in
+// either orientation.
 template <typename Shell>
 class Outermost_facet_on_curve
 {
 public:
   typedef Projection_facets_3::Coordinates Coordinates;
 
-  // pre: shell and facets outlive this object
+  // pre: `shell` and `facets` outlive this object
   Outermost_facet_on_curve(const Shell& shell, const Projection_facets_3& facets, double tolerance)
     : m_shell(&shell), m_facets(&facets), m_tolerance(tolerance)
   {}
 
-  // `LEAVES_SHELL` if there is no such facet; `innermost` is then where the curve leaves the shell, by the inner
-  // surface.
+  // Returns `LEAVES_SHELL` if there is no such facet; `innermost` is then the point where the curve leaves the shell
+  // through the inner surface.
   Flow_status operator()(const Coordinates& start, Curve_hit& hit, Coordinates& innermost) const
   {
     const bool inwards[2] = { false, true };
@@ -54,7 +54,7 @@ public:
   }
 
 private:
-  // the last point of the last step that is between the thresholds
+  // Returns the last point of the last step that is between the thresholds.
   template <typename Curve>
   static Coordinates end_in_shell(const Curve& curve)
   {
@@ -67,7 +67,7 @@ private:
     return curve.at(inside);
   }
 
-  // of facets that are met at the same value, the one with the smaller number
+  // Of two facets that are met at the same value, the one with the smaller number comes first.
   bool is_before(const Curve_hit& hit, const Curve_hit& best) const
   {
     if(best.facet == Projection_facets_3::npos) return true;

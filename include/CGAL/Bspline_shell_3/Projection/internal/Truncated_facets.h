@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The facets of a mesh that a shell truncates, truncated, and the map between both.
+// The truncated facets of a mesh that a shell truncates, and the map between both.
 class Truncated_facets
 {
 public:
@@ -34,8 +34,8 @@ public:
   // a facet and barycentric coordinates in it
   typedef std::pair<Index, Coordinates> Place;
 
-  // Facet `n` of those to be cut is `cut[n].facet`, its first corner being that number `cut[n].corner`; or `npos`, if
-  // the mesh does not have it.
+  // Facet `n` of the facets to be cut is facet `cut[n].facet` of the mesh, whose corner `cut[n].corner` is the first
+  // corner. `npos` if the mesh does not contain this facet.
   struct Cut_facet
   {
     Index facet;
@@ -67,7 +67,7 @@ public:
       for(int i = 0; i < 3; ++i) facet.vertex[i] = m_truncation->points()[m_truncation->new_facet(n)[i]];
       traced.push_back(facet);
     }
-    // Edges of uncut facets first; then those that the new ones have with each other, and with these.
+    // First the edges of uncut facets; then the edges of new facets with each other and with uncut facets.
     for(std::size_t f = 0; f < facets.size(); ++f)
       if(m_traced_of[f] != npos)
         for(Index& g : traced[m_traced_of[f]].neighbor) g = g == npos ? npos : m_traced_of[g];
@@ -90,7 +90,7 @@ public:
         if(side == edges.end() || beyond == npos || m_traced_of[beyond] == npos) continue;
         traced[side->second.first].neighbor[side->second.second] = m_traced_of[beyond];
         for(int j = 0; j < 3; ++j)
-          // At one edge only: two common edges have a center, at which all facets are cut.
+          // One edge only: two common edges meet at a center, at which all facets are cut.
           if(facets[beyond].neighbor[j] == m_cut[n].facet) traced[m_traced_of[beyond]].neighbor[j] = side->second.first;
       }
     m_facets = Projection_facets_3(std::move(traced));
@@ -99,7 +99,7 @@ public:
   const Projection_facets_3& facets() const { return m_facets; }
   bool is_cut(Index facet) const { return m_cut_of[facet] != npos; }
 
-  // where a place of the mesh is on the truncated one
+  // Maps a place of the mesh to the truncated mesh.
   Place traced(const Place& place) const
   {
     if(!is_cut(place.first)) return { m_traced_of[place.first], place.second };
@@ -107,7 +107,7 @@ public:
     return { m_traced_of_new[image.facet], image.barycentric };
   }
 
-  // where a place of the truncated mesh is on the mesh
+  // Maps a place of the truncated mesh to the mesh.
   Place untraced(const Place& place) const
   {
     const Origin& origin = m_origins[place.first];
@@ -119,15 +119,15 @@ public:
     return result;
   }
 
-  // The derivative of the map at a place of a facet with these vertices: from the facet's plane to that of the image,
-  // and from normal to normal.
+  // Returns the derivative of the map at a place of a facet with these vertices. It maps the facet's plane to that of
+  // the image, and the normal to the normal.
   Eigen::Matrix3d derivative(const Place& place, const std::array<Coordinates, 3>& vertices) const
   {
     if(!is_cut(place.first)) return Eigen::Matrix3d::Identity();
     const auto columns = m_truncation->derivative(in_cut_facet(place));
     const Index traced_facet = traced(place).first;
     const auto eigen = [](const Coordinates& p) { return Eigen::Vector3d(p[0], p[1], p[2]); };
-    // what moving from the first corner of the cut facet to each of the others does
+    // images of the vectors from the first corner of the cut facet to the other corners
     const int corner = m_cut[m_cut_of[place.first]].corner;
     Eigen::Matrix3d before, after;
     for(int k = 0; k < 2; ++k) {
@@ -160,7 +160,7 @@ private:
   Projection_facets_3 m_facets;
   std::vector<Cut_facet> m_cut;
   std::vector<Index> m_cut_of, m_traced_of, m_traced_of_new; // by facet of the mesh, and by new facet
-  std::vector<Origin> m_origins;                             // of traced facets
+  std::vector<Origin> m_origins;                             // origins of traced facets
 };
 
 } // namespace internal

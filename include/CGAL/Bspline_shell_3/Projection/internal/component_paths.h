@@ -40,14 +40,14 @@ struct Facets_by_component
   std::vector<Projection_facets_3::Index> component; // by facet
 };
 
-// Paths through the components of a shell in which the components of a mesh lie, each through a large facet. A path has
-// the number of the mesh's component. Proved by the predicates; no certificate of the shell is needed.
+// Returns paths through the components of a shell in which the components of a mesh lie, each through a large facet. A
+// path has the number of the mesh's component. The predicates prove the paths; no certificate of the shell is needed.
 template <typename Shell>
 std::vector<Crossing_path> component_paths(const Shell& shell, const Facets_by_component& mesh)
 {
   typedef typename Shell::Point_3 Point_3;
   typedef Projection_facets_3::Index Index;
-  constexpr std::size_t max_paths = 3, max_facets = 16; // of a component; facets that are tried
+  constexpr std::size_t max_paths = 3, max_facets = 16; // paths per component; facets to try
   std::vector<std::vector<std::pair<double, Index> > > facets(mesh.number_of_components);
   for(Index f = 0; f < mesh.facets.number_of_facets(); ++f) {
     const auto& n = mesh.facets.normal(f);
@@ -61,7 +61,7 @@ std::vector<Crossing_path> component_paths(const Shell& shell, const Facets_by_c
     const std::size_t tries = (std::min)(max_facets, facets[c].size()), before = paths.size();
     std::partial_sort(facets[c].begin(), facets[c].begin() + std::ptrdiff_t(tries), facets[c].end());
     for(std::size_t n = 0; n < tries && paths.size() < before + max_paths; ++n) {
-      // not the middle, through which regular meshes have edges
+      // Not the centroid: regular meshes have edges there.
       const auto p = mesh.facets.point(facets[c][n].second, { 0.29, 0.33, 0.38 });
       const Point_3 middle(p[0], p[1], p[2]);
       if(shell.bounded_side(middle) == ON_UNBOUNDED_SIDE) continue;
@@ -74,14 +74,14 @@ std::vector<Crossing_path> component_paths(const Shell& shell, const Facets_by_c
   return paths;
 }
 
-// Whether each component of two meshes shares a component of the shell with one of the other mesh. A path through one
-// that crosses the other proves this, if both meshes are in the shell; `false` means that it is not known.
+// Returns whether each component of two meshes shares a component of the shell with a component of the other mesh. If
+// both meshes are in the shell, a path through one that crosses the other proves this. `false` means unknown.
 template <typename Shell>
 bool share_components(const Shell& shell, const Projection_facets_3& first, const Projection_facets_3& second)
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
   if(arithmetic_self_test() != Arithmetic_status::SOUND) return false;
-  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // that of exact predicates
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // the rounding mode of exact predicates
   const std::array<Facets_by_component, 2> meshes = { Facets_by_component(first), Facets_by_component(second) };
   std::array<std::vector<char>, 2> has_partner;
   for(int i = 0; i < 2; ++i) has_partner[i].assign(meshes[i].number_of_components, 0);

@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// the images of points under a projection, in the same order
+// Returns the images of points under a projection, in the same order.
 template <typename ConcurrencyTag, typename Projection, typename PointRange, typename Visitor>
 std::vector<typename Projection::Image> project_all(const Projection& projection, const PointRange& points,
                                                     Visitor& visitor)

@@ -19,21 +19,21 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// where a curve meets a facet
+// A point where a curve meets a facet.
 struct Curve_hit
 {
   Projection_facets_3::Index facet = Projection_facets_3::npos;
-  double value = 0; // of the field
+  double value = 0; // value of the field
   Projection_facets_3::Coordinates barycentric = {};
-  double outside = std::numeric_limits<double>::infinity(); // of the facet, a distance
+  double outside = std::numeric_limits<double>::infinity(); // distance from the facet
   bool is_beyond_border = false;                            // by less than the tolerance
   Image_error error;
 };
 
-inline constexpr double search_tolerance = 100; // of it, for what is less exact within steps
+inline constexpr double search_tolerance = 100; // factor on the tolerance, since points within steps are less exact
 
-// Calls `visit(hit)` for the facets that the curve passes during its last step, between the thresholds, whichever way
-// they face; at their edges up to `search_tolerance`. A facet whose plane is passed twice in one step may be missed.
+// Calls `visit(hit)` for the facets that the curve passes between the thresholds during its last step, in either
+// orientation. At edges, `search_tolerance` applies. A facet whose plane is passed twice in one step may be missed.
 template <typename Curve, typename Visitor>
 void visit_facets_passed(const Curve& curve, const Projection_facets_3& facets, double tolerance, const Visitor& visit)
 {
@@ -51,7 +51,7 @@ void visit_facets_passed(const Curve& curve, const Projection_facets_3& facets, 
                box.zmax() + margin);
   facets.visit_facets(box, [&](Projection_facets_3::Index facet) {
     const double near = tolerance * norm(facets.normal(facet));
-    if(!(near > 0)) return; // without an area
+    if(!(near > 0)) return; // no area
     double s0 = first, s1 = last, h0 = facets.height(facet, x0), h1 = facets.height(facet, x1);
     if((h0 < 0) == (h1 < 0) && std::abs(h0) > near && std::abs(h1) > near) return;
     Curve_hit hit;

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The leaf cells of a field, with its difference to a threshold.
+// The leaf cells of a field, and the field minus a threshold.
 template <typename Field, typename Threshold>
 class Field_cells
 {

@@ -27,13 +27,13 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Marching tetrahedra. Leaves that the level certainly misses are left out. The topology depends on the nodes' signs
-// alone, and these on the node, not on the leaf that asks; a node on the level counts as above. So the triangles of
-// each tetrahedron fit those of its neighbors, and the surface is a closed manifold unless a tetrahedron has no
-// neighbor. Vertices lie on edges. An edge is owned by the first selected leaf around it, which numbers its edges
-// consecutively: other leaves find a vertex by the owner and the edge in it.
+// Marching tetrahedra. Leaves that the level certainly misses are skipped. The topology depends on the signs of the
+// nodes only. A sign depends on the node, not on the leaf that evaluates it; a node on the level counts as above. The
+// triangles of each tetrahedron thus fit those of its neighbors, and the surface is a closed manifold unless a
+// tetrahedron has no neighbor. Vertices lie on edges. An edge is owned by the first selected leaf around it, which
+// numbers its edges consecutively. Other leaves find a vertex by the owner and the edge in it.
 //
-// Cells are `Field_cells` or `Shell_cells`.
+// `Cells` is `Field_cells` or `Shell_cells`.
 template <typename Cells>
 class Level_set_soup
 {
@@ -64,8 +64,8 @@ public:
   }
 
 private:
-  // What is known of a leaf: its number among the candidates, the selected leaves that the level may pass, or one of
-  // these. All of a leaf that is `above` (`below`) is proved to be.
+  // The state of a leaf is its number among the candidates, which are the selected leaves that the level may pass, or
+  // one of these constants. A leaf that is `above` (`below`) is entirely so, by proof.
   static constexpr Index above = Cells::npos, below = Cells::npos - 1, not_selected = Cells::npos - 2;
   static constexpr std::size_t chunk = 256;
 
@@ -73,7 +73,7 @@ private:
 
   static bool is_candidate(Index state) { return state < not_selected; }
 
-  // the field minus the threshold, on a leaf
+  // Returns the field minus the threshold on a leaf.
   Enclosed_tricubic function(Index c) const { return m_cells.function(c); }
   Tricubic_cell_3 cell(Index c, const Enclosed_tricubic& f) const
   {
@@ -98,9 +98,9 @@ private:
       }
   }
 
-  // Copies of the polynomials on two sides of a face differ in their last bits, and a copy may contradict what is
-  // proved of the other leaf. So the sign comes from the first leaf around the node of which one is proved, else from
-  // the value in the first leaf.
+  // Copies of the polynomials on both sides of a face differ in their last bits, and a copy may contradict the proof
+  // for the other leaf. The sign is therefore that of the first leaf around the node with a proof. If there is none, it
+  // is the sign of the value in the first leaf.
   bool is_above(Index c, const Enclosed_tricubic& f, const Node& v) const
   {
     if(std::all_of(v.begin(), v.end(), [&](int i) { return i > 0 && i < m_last; }))
@@ -136,7 +136,7 @@ private:
              m_subdivision.node(std::size_t(e % m_subdivision.number_of_nodes())) };
   }
 
-  // the candidate that owns an edge of a candidate, and the edge in it
+  // Returns the candidate that owns an edge of a candidate, and the edge in it.
   std::pair<Index, Edge> owner(std::size_t candidate, Edge e) const
   {
     const Index c = m_candidates[candidate];
@@ -151,7 +151,7 @@ private:
     return result;
   }
 
-  // the edges of a candidate with a vertex, ascending
+  // Returns the edges of a candidate with a vertex, ascending.
   std::vector<Edge> cut_edges(std::size_t candidate, const Surroundings& surroundings) const
   {
     std::vector<Edge> edges;
@@ -165,7 +165,7 @@ private:
     return edges;
   }
 
-  // signs, and the edges with a vertex; returns whether the level set leaves the selected leaves
+  // Finds signs and the edges with a vertex. Returns whether the level set leaves the selected leaves.
   template <typename ConcurrencyTag>
   bool find_vertices()
   {
@@ -202,7 +202,7 @@ private:
     return std::find(begin, end, char(*begin == 0)) != end;
   }
 
-  // whether there is no candidate behind a triangle on a face of the leaf that is cut: one whose nodes have both signs
+  // Returns whether a triangle on a face of the leaf is cut (its nodes have both signs) and has no candidate behind it.
   bool leaves_at_a_face(std::size_t candidate, const Surroundings& surroundings) const
   {
     bool leaves = false;
@@ -242,8 +242,8 @@ private:
       return Point{ p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2]) };
     };
     const double t = root([&](double t) { return cell.value(at(t)); }, is_above(candidate, ends[0]), f.radius);
-    // At the ends, the vertices of many edges would coincide. A distance of some thousand roundings of the coordinates
-    // keeps all points apart and all triangles from collapsing, whatever the rounding does to the points.
+    // At the ends of edges, the vertices of many edges would coincide. A distance of about a thousand roundings of the
+    // coordinates keeps all points apart and all triangles from collapsing, whatever the rounding of points.
     double reach = 0, length = 0;
     for(int a = 0; a < 3; ++a) {
       reach = (std::max)({ reach, std::abs(p[a]), std::abs(q[a]) });
@@ -253,8 +253,8 @@ private:
     return at((std::min)((std::max)(t, margin), 1 - margin));
   }
 
-  // A zero of f in [0, 1], to within the tolerance on values or to the last bits: regula falsi (Illinois), with a
-  // bisection now and then. An end with the wrong sign, or none, is on the level but for rounding: it is the zero.
+  // Returns a zero of f in [0, 1], up to the tolerance on values or to the last bits, by regula falsi (Illinois) with
+  // some bisections. If an end has the wrong sign, or is zero, it is on the level up to rounding: it is returned.
   template <typename Function>
   static double root(const Function& f, bool is_above_at_0, double tolerance)
   {
@@ -310,7 +310,7 @@ private:
   void cut_tetrahedron(std::size_t candidate, const std::array<Node, 4>& corners, const Crossing& crossing_of,
                        std::vector<Triangle>& triangles) const
   {
-    // the corners below, then those above; every swap turns the tetrahedron over
+    // First the corners below, then those above. Every swap reverses the orientation of the tetrahedron.
     int order[4], below_count = 0, above_count = 0, above_corner[4];
     bool is_direct = true;
     for(int i = 0; i < 4; ++i) {
@@ -356,12 +356,12 @@ private:
 
   const Cells& m_cells;
   const Subdivision m_subdivision;
-  const int m_last;                      // coordinate of nodes in a leaf
-  std::vector<Index> m_state;            // per leaf
-  std::vector<Index> m_candidates;       // their leaves, ascending
-  std::vector<char> m_is_above;          // per candidate and node
-  std::vector<Edge> m_edges;             // those with a vertex, by owner and ascending: vertex e is on m_edges[e]
-  std::vector<std::size_t> m_first_edge; // per candidate, that of the first edge it owns
+  const int m_last;                      // largest coordinate of nodes in a leaf
+  std::vector<Index> m_state;            // by leaf
+  std::vector<Index> m_candidates;       // leaves of the candidates, ascending
+  std::vector<char> m_is_above;          // by candidate and node
+  std::vector<Edge> m_edges;             // edges with a vertex, by owner and ascending: vertex e is on m_edges[e]
+  std::vector<std::size_t> m_first_edge; // by candidate: the first edge that it owns
 };
 
 } // namespace internal

@@ -22,13 +22,13 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The leaf cells of a shell's field, some of them split: no leaf has both boxes of the shell's cover and boxes where
-// the level may be passed outside of the cover. Leaves with boxes of the cover are selected. Boxes of the cover only
-// touch each other and excluded boxes, where a level between the thresholds is not passed. So no part of the level set
-// in the selected leaves has an end.
+// The leaf cells of a shell's field, some of which are split. No leaf has both boxes of the shell's cover and boxes
+// outside of the cover that the level may pass. Leaves with boxes of the cover are selected. Boxes of the cover only
+// touch each other and excluded boxes, which a level between the thresholds does not pass. Hence no part of the level
+// set in the selected leaves has an end.
 //
-// Leaves are also split where boxes of the cover in them are monotone in nearly opposite directions: two parts of the
-// level set are near each other, and each of them gets its own leaves.
+// Leaves are also split if they have boxes of the cover that are monotone in nearly opposite directions. Two parts of
+// the level set are then close to each other, and each of them gets its own leaves.
 //
 // Leaves that touch differ by one level at most. Leaves of the field that are not split keep their numbers; the others
 // follow.
@@ -41,7 +41,7 @@ public:
   typedef typename Field::Cell_index Index;
   static constexpr Index npos = Field::npos;
 
-  // `boxes` are those of the cover
+  // `boxes` are the boxes of the cover.
   Shell_cells(const Field& field, const Threshold& threshold, const std::vector<Cover_box>& boxes)
     : m_cells(field, threshold), m_levels(cells().number_of_levels()), m_first_part(field.number_of_cells(), npos)
   {
@@ -79,7 +79,7 @@ public:
     return is_part(c) ? std::ldexp(m_cells.width(part(c).cell), -part(c).depth()) : m_cells.width(c);
   }
 
-  // as a hierarchy
+  // The interface of a hierarchy.
   int number_of_levels() const { return m_levels; }
   int level(Index c) const { return is_part(c) ? part(c).place.level : cells().level(c); }
   Lattice_point lattice_point(Index c) const { return is_part(c) ? part(c).place.point : cells().lattice_point(c); }
@@ -87,7 +87,7 @@ public:
   bool is_split(int level, const Lattice_point& p) const { return is_split(Place{ level, p }); }
 
 private:
-  // a cell of a level, split or not
+  // A cell of a level, split or not.
   struct Place
   {
     int level;
@@ -108,9 +108,9 @@ private:
   struct Part
   {
     Place place;
-    Index cell; // of the field
+    Index cell; // cell of the field
     int level_of_cell;
-    Lattice_point position; // in the cell, in units of its own width
+    Lattice_point position; // position in that cell, in units of the width of the part
 
     int depth() const { return place.level - level_of_cell; }
   };
@@ -133,13 +133,13 @@ private:
     return place;
   }
 
-  // the leaf of the field around a cell; none if the cell is split in the field
+  // Returns the leaf of the field around a cell, or npos if the cell is split in the field.
   Index whole_leaf_around(Place p) const
   {
     while(p.level >= cells().number_of_levels()) p = p.parent();
     return cells().leaf_around(p.level, p.point);
   }
-  // that cell if it is there, else the leaf around it; none if the cell is split in the field
+  // Returns the cell if it exists, or else the leaf around it; npos if the cell is split in the field.
   Index cell_or_leaf_around(const Place& p) const
   {
     Index c = whole_leaf_around(p);
@@ -161,7 +161,7 @@ private:
     return c != npos && !is_leaf(c);
   }
 
-  // splits a cell, if it is in the domain, and what must be split before it and around it
+  // Splits a cell, if it is in the domain, and the cells that must be split before it and around it.
   void split(const Place& p)
   {
     if(is_split(p)) return;
@@ -191,7 +191,7 @@ private:
 
   static bool is_in_shell(const Cover_box& b) { return b.component != Cover_box::no_component; }
 
-  // whether two boxes of the cover are monotone in directions with an angle of more than 120 degrees
+  // Returns whether two boxes of the cover are monotone in directions that make an angle of more than 120 degrees.
   static bool are_opposite(const Cover_box* begin, const Cover_box* end)
   {
     constexpr double cosine = -0.5;
@@ -207,7 +207,7 @@ private:
     return false;
   }
 
-  // splits a cell as far as its boxes ask for it
+  // Splits a cell until its boxes are separated.
   void separate(const Place& p, int depth, const Cover_box* begin, const Cover_box* end)
   {
     const auto is_elsewhere = [](const Cover_box& b) { return !is_in_shell(b) && b.kind != Box_kind::EXCLUDED; };
@@ -215,7 +215,7 @@ private:
     if(std::none_of(begin, end, is_elsewhere) && !are_opposite(begin, end)) return;
     split(p);
     for(int o = 0; o < 8; ++o) {
-      // boxes in an octant are consecutive
+      // Boxes in an octant are consecutive.
       const Cover_box* last = std::find_if(
         begin, end, [&](const Cover_box& b) { return octant(b.position, b.depth - depth - 1) != o; });
       separate(p.child(o), depth + 1, begin, last);
@@ -223,7 +223,7 @@ private:
     }
   }
 
-  // selects the leaf that a box is or lies in, or else the leaves in the box
+  // Selects the leaf that contains a box, or else the leaves in the box.
   void select(const Place& p)
   {
     if(is_split(p))
@@ -233,8 +233,8 @@ private:
 
   const Whole_cells m_cells;
   int m_levels;
-  // of leaves of the field, then of their parts
-  std::vector<Index> m_first_part; // of eight with consecutive numbers, in the order of octants; none for leaves
+  // `m_first_part` and `m_is_selected` are by leaf of the field, and then by part.
+  std::vector<Index> m_first_part; // first of eight consecutive parts, in the order of octants; npos for leaves
   std::vector<char> m_is_selected;
   std::vector<Part> m_parts;
 };

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// the connected components of triangles that share points
+// The connected components of triangles that share points.
 class Soup_components
 {
 public:
@@ -31,14 +31,14 @@ public:
       for(std::size_t i = 0; i < 3; ++i) m_parent[component(t[i])] = component(t[(i + 1) % 3]);
   }
 
-  // of a point: the number of one of the component's points
+  // Returns the component of a point, which is the number of one of the component's points.
   std::size_t component(std::size_t point)
   {
     while(m_parent[point] != point) point = m_parent[point] = m_parent[m_parent[point]];
     return point;
   }
 
-  // removes the components that are not marked, by their numbers
+  // Removes the components that are not marked. `is_kept` is indexed by components.
   void keep(const std::vector<char>& is_kept, std::vector<Point>& points, std::vector<Triangle>& triangles)
   {
     std::vector<std::size_t> number(points.size());
@@ -54,7 +54,7 @@ public:
       for(std::size_t& v : t) v = number[v];
   }
 
-  // removes the components with an edge that only one triangle has
+  // Removes the components that have an edge with only one triangle.
   void remove_open(std::vector<Point>& points, std::vector<Triangle>& triangles)
   {
     typedef std::array<std::size_t, 2> Halfedge;

@@ -14,14 +14,14 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// How leaves are cut into tetrahedra: into n^3 equal subcells, and each subcell into the cones from its middle over the
-// triangles of its faces. A face with smaller leaves behind it is cut into the squares that these see. A square that is
-// not is cut by a fan: from the middle of the first of its edges that smaller leaves around it halve, or else from its
-// least corner. So triangles depend on the square and the leaves around it alone, and tetrahedra on two sides of it
-// agree. This takes leaves that touch to differ by one level at most, as graded ones do.
+// Cuts leaves into tetrahedra. A leaf is cut into n^3 equal subcells, and each subcell into the cones from its center
+// over the triangles of its faces. A face with smaller leaves behind it is cut into the squares of their subcells.
+// Other squares are cut by a fan from the midpoint of the first of their edges that smaller leaves around it halve, or
+// else from their least corner. Triangles thus depend on the square and the leaves around it only, and tetrahedra on
+// both sides conform. Leaves that touch must differ by one level at most, as in graded hierarchies.
 //
-// Nodes are corners of tetrahedra. They have integer coordinates: in a leaf, from 0 to 2n along each axis; in space, in
-// units of 1/2n of the smallest leaves' width, which may take more than 32 bits.
+// Nodes are corners of tetrahedra. They have integer coordinates. In a leaf, these range from 0 to 2n along each axis.
+// In space, their unit is 1/2n of the width of the smallest leaves, and they may need more than 32 bits.
 template <typename Cells>
 class Tetrahedral_subdivision
 {
@@ -33,7 +33,7 @@ public:
   Tetrahedral_subdivision(const Cells& cells, int n) : m_cells(&cells), m_n(n), m_finest(cells.number_of_levels() - 1)
   {}
 
-  // for a leaf; some are nodes of no tetrahedron
+  // Returns the number of nodes of a leaf. Some are nodes of no tetrahedron.
   std::size_t number_of_nodes() const { return cubed(std::size_t(2 * m_n + 1)); }
   std::size_t number(const Node& v) const { return (std::size_t(v[2]) * (2 * m_n + 1) + v[1]) * (2 * m_n + 1) + v[0]; }
   Node node(std::size_t number) const
@@ -55,8 +55,8 @@ public:
     return v;
   }
 
-  // calls visit(c) for the leaves that contain the middle of two nodes, in an order that depends on this point alone,
-  // until it returns true
+  // Calls visit(c) for the leaves that contain the midpoint of two nodes, until it returns true. The order depends on
+  // this point only.
   template <typename Visitor>
   void visit_leaves_around(const Node_in_space& v, const Node_in_space& w, const Visitor& visit) const
   {
@@ -81,7 +81,7 @@ public:
     }
   }
 
-  // the leaf behind a triangle on a face of a leaf
+  // Returns the leaf behind a triangle on a face of a leaf.
   Index leaf_behind(const Node_in_space& u, const Node_in_space& v, const Node_in_space& w, int axis,
                     bool positive) const
   {
@@ -91,7 +91,8 @@ public:
     return m_cells->leaf_around(m_finest, cell);
   }
 
-  // Which leaves around a leaf are smaller than it, and so which of its edges are halved and which of its faces cut.
+  // The leaves around a leaf that are smaller than it. They determine which of its edges are halved and which faces are
+  // cut.
   class Surroundings
   {
   public:
@@ -106,7 +107,7 @@ public:
         m_is_split[n] = subdivision.m_cells->is_split(level, p);
       }
     }
-    // whether a node of the leaf, which is not in the middle of a subcell, is in a closed smaller leaf
+    // Returns whether a node of the leaf is in a closed smaller leaf. The node must not be the center of a subcell.
     bool are_smaller(const Node& v) const
     {
       bool smaller = false;
@@ -128,7 +129,7 @@ public:
     std::array<bool, 27> m_is_split;
   };
 
-  // calls visit(v) for the nodes of a leaf that tetrahedra have
+  // Calls visit(v) for the nodes of a leaf that are corners of tetrahedra.
   template <typename Visitor>
   void visit_nodes(const Surroundings& surroundings, const Visitor& visit) const
   {
@@ -142,8 +143,8 @@ public:
   }
 
   // Calls visit(corners, axis, positive) for the tetrahedra of a leaf, which are positively oriented. The first corner
-  // is in the middle of a subcell, the others are on its face orthogonal to an axis, on the side of larger (`positive`)
-  // or smaller coordinates.
+  // is the center of a subcell. The others are on its face orthogonal to `axis`, on the side of larger (`positive`) or
+  // smaller coordinates.
   template <typename Visitor>
   void visit_tetrahedra(const Surroundings& surroundings, const Visitor& visit) const
   {
@@ -164,7 +165,7 @@ private:
   static int floor_quotient(std::int64_t i, int d) { return int(i / d - (i % d < 0 ? 1 : 0)); }
   int scale(Index c) const { return 1 << (m_finest - m_cells->level(c)); }
 
-  // visits the triangles of a face of the subcell with the least node `v`, seen from the side of larger coordinates
+  // Visits the triangles of a face of the subcell with the least node `v`, seen from the side of larger coordinates.
   template <typename Visitor>
   void visit_triangles(const Surroundings& surroundings, const Node& v, int axis, bool positive,
                        const Visitor& visit) const

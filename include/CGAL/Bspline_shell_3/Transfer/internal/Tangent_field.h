@@ -29,8 +29,8 @@ inline Eigen::Vector3d eigen_vector(const std::array<double, 3>& v)
   return Eigen::Vector3d(v[0], v[1], v[2]);
 }
 
-// The mean of vectors in a plane, each of which stands for its rotations by 2 pi / N: the angle is that of the mean of
-// N-th powers, next to the first vector; the length is the mean length. For N = 1, it is the mean.
+// The mean of vectors in a plane, each of which represents its rotations by 2 pi / N. The angle is that of the mean of
+// the N-th powers, closest to the first vector; the length is the mean length. For N = 1, it is the ordinary mean.
 class Symmetric_mean
 {
 public:
@@ -50,7 +50,7 @@ public:
     m_power += weight * length * std::polar(1., m_symmetry * std::atan2(m_y.dot(v), m_x.dot(v)));
   }
 
-  // zero if nothing was added
+  // Returns zero if nothing was added.
   Eigen::Vector3d operator()() const
   {
     if(!(m_weight > 0)) return Eigen::Vector3d::Zero();
@@ -73,7 +73,7 @@ class Tangent_field
   typedef Projection_facets_3::Index Index;
   typedef std::complex<double> Power;
 public:
-  // the same on all of a facet
+  // Returns a field that is constant on each facet.
   static Tangent_field constant(const Projection_facets_3& facets, std::vector<Eigen::Vector3d> of_facets)
   {
     Tangent_field field(facets, 1);
@@ -81,9 +81,9 @@ public:
     return field;
   }
 
-  // On each facet the linear field, with the facet's vector at its centroid, that fits those of its neighbors best,
-  // unfolded around common edges: N-th powers, as complex numbers whose modulus is the vector's length. Across sharp
-  // edges a field need not be continuous: such neighbors do not count.
+  // Returns a field that is linear on each facet, has the facet's vector at its centroid, and fits the vectors of its
+  // neighbors best. Neighbors are unfolded around common edges. The N-th powers are linear, as complex numbers whose
+  // modulus is the vector's length. A field need not be continuous across sharp edges: neighbors there are ignored.
   static Tangent_field linear(const Projection_facets_3& facets, std::vector<Eigen::Vector3d> of_facets, int symmetry)
   {
     Tangent_field field(facets, symmetry);
@@ -93,9 +93,10 @@ public:
     return field;
   }
 
-  // Interpolated between vertices, the vectors of which are rotated into each facet the shortest way from the vertex's
-  // normal: the mean of the facets', weighted by angles. What they have along the normal is lost. `vertices` has the
-  // number of the vertex at each corner: 3 times that of the facet, and that of the corner.
+  // Returns a field that is interpolated between vertices. The vector of a vertex is rotated into each facet the
+  // shortest way from the vertex's normal, which is the mean of the facets' normals, weighted by angles. Components
+  // along the normal are lost. `vertices` has the number of the vertex at each corner, whose index is 3 times that of
+  // the facet plus that of the corner.
   static Tangent_field interpolated(const Projection_facets_3& facets, std::vector<Eigen::Vector3d> of_vertices,
                                     std::vector<std::size_t> vertices, int symmetry)
   {
@@ -118,7 +119,7 @@ public:
     return field;
   }
 
-  // in the facet's plane.
+  // Returns the vector in the facet's plane.
   // \pre the facet has an area
   Eigen::Vector3d operator()(Index f, const std::array<double, 3>& barycentric) const
   {
@@ -139,7 +140,7 @@ public:
   }
 
 private:
-  typedef std::array<Power, 2> Gradient; // by the coordinates in the facet's plane
+  typedef std::array<Power, 2> Gradient; // derivatives by the coordinates in the facet's plane
 
   Tangent_field(const Projection_facets_3& facets, int symmetry) : m_facets(&facets), m_symmetry(symmetry) {}
 
@@ -165,7 +166,7 @@ private:
       const Index g = m_facets->neighbor(f, i);
       if(g == Projection_facets_3::npos || !m_facets->has_area(g)) continue;
       if(normal(f).normalized().dot(normal(g).normalized()) < least_cosine) continue;
-      // the neighbor's centroid as far from the common edge as it is, in the plane of the facet
+      // the neighbor's centroid, in the plane of the facet, at its distance from the common edge
       const Eigen::Vector3d along = edge(f, i).normalized(), inwards = normal(f).normalized().cross(along),
                             to = centroid(g) - vertex(f, i);
       const Eigen::Vector3d unfolded = vertex(f, i) + along.dot(to) * along
@@ -179,7 +180,7 @@ private:
       largest = (std::max)(largest, std::abs(difference));
     }
     const Eigen::Vector2cd slope = matrix.completeOrthogonalDecomposition().pseudoInverse().cast<Power>() * right;
-    // at the corners, no farther from the facet's own than its neighbors are
+    // At the corners, the field differs from the facet's vector by at most as much as the neighbors do.
     double farthest = 0;
     for(int i = 0; i < 3; ++i) {
       const Eigen::Vector3d p = vertex(f, i) - centroid(f);
@@ -193,7 +194,7 @@ private:
   int m_symmetry;
   std::vector<Eigen::Vector3d> m_of_facets;
   std::vector<Gradient> m_gradients;                     // of linear fields
-  std::vector<Eigen::Vector3d> m_of_vertices, m_normals; // of those that are interpolated between vertices
+  std::vector<Eigen::Vector3d> m_of_vertices, m_normals; // of interpolated fields
   std::vector<std::size_t> m_vertices;
 };
 

@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// notes a status; tells whether there is a value to put
+// Records a status. Returns whether there is a value to put.
 inline bool record(Transfer_report& report, std::size_t position, Flow_status status, bool is_continued = false,
                    bool is_snapped = false)
 {
@@ -39,7 +39,7 @@ inline bool record(Transfer_report& report, std::size_t position, Flow_status st
   return status == Flow_status::SUCCESS;
 }
 
-// what has no value from the source gets the caller's, if there is one
+// Gives a simplex without a value from the source the caller's default value, if there is one.
 template <typename NamedParameters, typename ValueMap, typename Simplex>
 void put_default_value(const NamedParameters& np, ValueMap values, const Simplex& simplex)
 {
@@ -47,7 +47,7 @@ void put_default_value(const NamedParameters& np, ValueMap values, const Simplex
     put(values, simplex, CGAL::parameters::get_parameter_reference(np, parameter_tags::default_value));
 }
 
-// what a map that is refused leaves of the facets of its target; `put(f)` does what is left to do for a facet
+// Records the status of a rejected map for all facets of its target. `put(f)` completes a facet.
 template <typename Map, typename Put>
 void fail_all_facets(Transfer_report& report, const Map& map, const Put& put)
 {
@@ -58,7 +58,7 @@ void fail_all_facets(Transfer_report& report, const Map& map, const Put& put)
   }
 }
 
-// vertices of a facet in the order of its barycentric coordinates
+// Returns the vertices of a facet in the order of its barycentric coordinates.
 template <typename TriangleMesh>
 std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 3> corners(
   const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::face_descriptor f)
@@ -75,7 +75,8 @@ std::array<typename boost::property_traits<VertexValueMap>::value_type, 3> corne
   return { { get(values, v[0]), get(values, v[1]), get(values, v[2]) } };
 }
 
-// position in vertices(mesh) of each corner: 3 times the number of the facet, and that of the corner
+// Returns the position in vertices(mesh) of each corner, whose index is 3 times that of the facet plus that of the
+// corner.
 template <typename Target>
 std::vector<std::size_t> positions_of_corners(const Target& target)
 {
@@ -89,8 +90,8 @@ std::vector<std::size_t> positions_of_corners(const Target& target)
   return result;
 }
 
-// the centroids of the equal triangles into which a facet is cut, `parts` along each edge; the facet's own, if it is
-// among them, comes first
+// Returns the centroids of the equal triangles into which a facet is cut, with `parts` of them along each edge. If the
+// facet's centroid is among them, it comes first.
 inline std::vector<std::array<double, 3> > centroids_of_parts(int parts)
 {
   std::vector<std::array<double, 3> > centroids;
@@ -104,13 +105,13 @@ inline std::vector<std::array<double, 3> > centroids_of_parts(int parts)
   return centroids;
 }
 
-// how many parts along each edge make so many in all, or a few more
+// Returns the number of parts along each edge that yields at least this many parts.
 inline int parts_along_edge(std::size_t samples)
 {
   return (std::max)(1, int(std::ceil(std::sqrt(double(samples)))));
 }
 
-// Whether a plane with this normal is along the curve, as far as `double`s can tell: nothing is to be moved to it then.
+// Returns whether a plane with this normal is parallel to the curve, up to rounding. Then, nothing is moved to it.
 template <typename Normal>
 bool is_along(const Normal& normal, const Flow_differential& d)
 {
@@ -119,7 +120,7 @@ bool is_along(const Normal& normal, const Flow_differential& d)
   return !(std::abs(n.dot(d.velocity)) > least_sine * n.norm() * d.velocity.norm());
 }
 
-// the differential of the map from the source at the image of a point of the target, where it is not truncated
+// Returns the differential of the map from the source at the image of a point of the target, without its truncation.
 template <typename Map, typename Point>
 Flow_differential differential_from_image(const Map& map, const typename Map::Source_image& image, const Point& p)
 {
