@@ -70,7 +70,8 @@ namespace CGAL {
  *     \cgalParamNEnd
  *     \cgalParamNBegin{resolution}
  *       \cgalParamDescription{number of root cells per longest side of the mesh's bounding box; positive. By default
- *         30, or down to 20 if most of the mesh is nearly flat in wider cells (`Bspline_shells::choose_resolution()`).}
+ *         30, or 24 or 20 if most of the mesh is nearly flat in wider cells (`Bspline_shells::choose_resolution()`) and
+ *         `sizing` is not given.}
  *       \cgalParamType{`double`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{time_limit}
@@ -86,7 +87,8 @@ namespace CGAL {
  *       \cgalParamType{`double`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{memory_limit}
- *       \cgalParamDescription{approximate number of bytes above which no new round begins}
+ *       \cgalParamDescription{approximate number of bytes above which no new round begins. If the first round would
+ *         exceed it by far, the status is `MEMORY_LIMIT_EXCEEDED`.}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{4e9}
  *     \cgalParamNEnd
@@ -113,11 +115,13 @@ namespace CGAL {
  *       \cgalParamDefault{0.01}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{energy_weights}
- *       \cgalParamDescription{as for `bspline_shell_3()`}
+ *       \cgalParamDescription{weights of the energy terms}
  *       \cgalParamType{`Bspline_shells::Energy_weights`}
+ *       \cgalParamDefault{`Bspline_shells::Refinement_parameters::weights`, not those of `bspline_shell_3()`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{spd_solver}
  *       \cgalParamDescription{as for `bspline_shell_3()`}
+ *       \cgalParamDefault{`Bspline_shells::Conjugate_gradient_solver` with a tolerance of 1e-4}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{signed_distance_oracle}
  *       \cgalParamDescription{as for `bspline_shell_3()`}

@@ -40,8 +40,9 @@ namespace CGAL {
  * \tparam NamedParameters a sequence of named parameters that begins in `CGAL::Bspline_shells::parameters` or
  *   `CGAL::parameters`
  * \param soup the polygons, as returned by `Bspline_shells::read_polygon_soup()`
- * \param np optional named parameters: those of `certified_soup_proxy_3()`. The `time_limit()` applies to the mesh and
- *   the proxy together; once it is reached, no further attempt begins.
+ * \param np optional named parameters: those of `certified_soup_proxy_3()` and, for the shell of the mesh, those of
+ *   `certified_bspline_shell_3()`. The `time_limit()` applies to the mesh and the proxy together; once it is reached,
+ *   no further attempt begins. Limits of effort and memory apply to each attempt.
  * \return the shell and its kind. If neither the mesh nor the proxy has a certified shell, the uncertified shell of the
  *   mesh is returned, if there is one.
  */

@@ -105,9 +105,10 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *         collapsed along themselves, as in `remesh_in_shell()` by default. A vertex where exactly two of them meet may
  *         vanish in favor of one of its neighbors on them. Ends, and vertices where more of them meet, do not move. The
  *         rest of a polyline connects some of its original vertices; `Edit_report::constrained_edges` is the number of
- *         edges. The map follows the edges; it must be a model of `ReadWritePropertyMap`. The shell bounds the distance
- *         of a polyline from the mesh, but not its motion along the mesh; the costs or a `filter` do. A constrained
- *         edge next to an edge of length zero is kept as long as the latter exists.}
+ *         edges. The map follows the edges. If this parameter is given, the map must be a model of
+ *         `ReadWritePropertyMap`. The shell bounds the distance of a polyline from the mesh, but not its motion along
+ *         the mesh; the costs or a `filter` do. A constrained edge next to an edge of length zero is kept as long as
+ *         the latter exists.}
  *       \cgalParamType{`bool`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{freeze_rejected_facets}

@@ -148,9 +148,9 @@ bool keep_components_on_paths(const Field& field, const Threshold& threshold, co
  * \param np optional named parameters:
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{subdivision_ratio}
- *       \cgalParamDescription{number of subcells along each axis of a cell. It is doubled, up to 16, until the surfaces
- *         of all components are separated. Handles that are thinner than subcells may be missing or superfluous; if
- *         their number matters, choose a larger ratio.}
+ *       \cgalParamDescription{number of subcells along each axis of a cell. If the shell is certified, it is doubled,
+ *         up to 16, until the surfaces of all components are separated. Handles that are thinner than subcells may be
+ *         missing or superfluous; if their number matters, choose a larger ratio.}
  *       \cgalParamType{`int`}
  *       \cgalParamDefault{2}
  *     \cgalParamNEnd

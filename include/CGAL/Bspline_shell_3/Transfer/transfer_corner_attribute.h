@@ -162,7 +162,7 @@ private:
  *     \cgalParamNBegin{default_value}
  *       \cgalParamDescription{value of all corners of facets without values from the source; by default, they keep
  *         their values}
- *       \cgalParamType{`x`}
+ *       \cgalParamType{the value type of the target map}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
  *       \cgalParamDescription{a model of `FlowVisitor`}

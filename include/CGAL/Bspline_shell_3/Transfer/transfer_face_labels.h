@@ -53,7 +53,7 @@ namespace Bspline_shells {
  *     \cgalParamNEnd
  *     \cgalParamNBegin{default_value}
  *       \cgalParamDescription{value of facets without a label from the source; by default, they keep their labels}
- *       \cgalParamType{`x`}
+ *       \cgalParamType{the value type of the target map}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
  *       \cgalParamDescription{a model of `FlowVisitor`}

@@ -168,7 +168,7 @@ std::vector<Eigen::Vector3d> eigen_vectors(VectorMap vectors, const Range& range
  *     \cgalParamNEnd
  *     \cgalParamNBegin{default_value}
  *       \cgalParamDescription{value of facets without a vector from the source; by default, they keep their vectors}
- *       \cgalParamType{`x`}
+ *       \cgalParamType{the value type of the target map}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
  *       \cgalParamDescription{a model of `FlowVisitor`}
@@ -271,7 +271,7 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
  *     \cgalParamNEnd
  *     \cgalParamNBegin{default_value}
  *       \cgalParamDescription{value of vertices without a vector from the source; by default, they keep their vectors}
- *       \cgalParamType{`x`}
+ *       \cgalParamType{the value type of the target map}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
  *       \cgalParamDescription{a model of `FlowVisitor`}

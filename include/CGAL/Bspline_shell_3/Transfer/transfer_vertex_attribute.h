@@ -60,7 +60,7 @@ namespace Bspline_shells {
  *     \cgalParamNEnd
  *     \cgalParamNBegin{default_value}
  *       \cgalParamDescription{value of vertices without a value from the source; by default, they keep their values}
- *       \cgalParamType{`x`}
+ *       \cgalParamType{the value type of the target map}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
  *       \cgalParamDescription{a model of `FlowVisitor`}
@@ -134,7 +134,7 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{default_value}
  *       \cgalParamDescription{value of vertices without a value from the source; by default, they keep their values}
- *       \cgalParamType{`x`}
+ *       \cgalParamType{the value type of the target map}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
  *       \cgalParamDescription{a model of `FlowVisitor`}
