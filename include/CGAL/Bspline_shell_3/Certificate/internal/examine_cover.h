@@ -1,0 +1,222 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CERTIFICATE_INTERNAL_EXAMINE_COVER_H
+#define CGAL_BSPLINE_SHELL_3_CERTIFICATE_INTERNAL_EXAMINE_COVER_H
+
+#include <CGAL/Bspline_shell_3/Certificate/Shell_cover_3.h>
+#include <CGAL/Bspline_shell_3/Certificate/critical_point.h>
+#include <CGAL/Bspline_shell_3/Certificate/displacement_bounds.h>
+#include <CGAL/Bspline_shell_3/Certificate/internal/Certificate_draft.h>
+#include <CGAL/Bspline_shell_3/Certificate/internal/Examined_shell.h>
+#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
+#include <CGAL/Bspline_shell_3/Spline/monotone_direction.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
+#include <CGAL/Bspline_shell_3/Support/coordinates.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+namespace internal {
+
+// The vertex of each component of a mesh from which the cover is flooded.
+typedef std::vector<Input_mesh_3::Triangle_mesh::Vertex_index> Seeds;
+
+inline Seeds find_seeds(const Input_mesh_3& input)
+{
+  typedef Input_mesh_3::Triangle_mesh Triangle_mesh;
+  const Triangle_mesh& mesh = input.mesh();
+  Seeds seeds(input.number_of_components(), Triangle_mesh::null_vertex());
+  for(Triangle_mesh::Face_index f : mesh.faces())
+    if(seeds[input.component(f)] == Triangle_mesh::null_vertex())
+      seeds[input.component(f)] = mesh.target(mesh.halfedge(f));
+  return seeds;
+}
+
+// The cover of a certified shell, and quantities that were proved with it.
+struct Proved_cover
+{
+  std::shared_ptr<const std::vector<Cover_box> > boxes; // null if the shell is not certified
+  std::size_t components = 0;
+  double least_gradient = 0, greatest_gradient = std::numeric_limits<double>::infinity();
+};
+
+// Returns an upper bound, by differences of coefficients, of the length of the gradient on a leaf cell, per user
+// unit.
+template <typename Field>
+double greatest_gradient(const Field& field, typename Field::Cell_index c)
+{
+  const typename Field::Cell cell = field.cell(c);
+  const double* b = cell.coefficients();
+  std::array<double, 3> greatest = {};
+  for_each_coefficient_line([&](int axis, int n, auto stride) {
+    double& most = greatest[std::size_t(axis)];
+    for(int m = 0; m < 3; ++m) most = (std::max)(most, std::abs(b[n + (m + 1) * stride] - b[n + m * stride]));
+  });
+  for(double& largest : greatest) largest = 3 * (largest + 2 * cell.error_radius());
+  return length_bound(greatest) / cell.width() * (1 + 16 * rounding) + std::numeric_limits<double>::denorm_min();
+}
+
+// Adopts the proved cover, if there is one and it contains all components of the mesh. Returns the components of the
+// mesh that share a component of the cover with an earlier one.
+template <typename Field, typename Threshold>
+std::optional<std::vector<typename Shell_cover_3<Field, Threshold>::Shared> > adopt_proved_cover(
+  const Examined_shell<Field, Threshold>& shell, const Input_mesh_3::Triangle_mesh& mesh, const Seeds& seeds,
+  const Proved_cover& proved, std::optional<Shell_cover_3<Field, Threshold> >& cover)
+{
+  typedef typename Field::Point_3 Point_3;
+  if(!proved.boxes) return std::nullopt;
+  std::vector<Point_3> points;
+  for(auto v : seeds) points.push_back(converted<Point_3>(mesh.point(v)));
+  cover.emplace(shell.field, shell.inner, shell.outer);
+  return cover->adopt(*proved.boxes, points);
+}
+
+// Floods the cover from all components of the mesh.
+template <typename ConcurrencyTag, typename Field, typename Threshold>
+std::vector<typename Shell_cover_3<Field, Threshold>::Shared> find_cover(
+  const Examined_shell<Field, Threshold>& shell, const Input_mesh_3& input, const Seeds& seeds,
+  std::optional<Shell_cover_3<Field, Threshold> >& cover)
+{
+  typedef typename Field::Point_3 Point_3;
+  typedef typename Shell_cover_3<Field, Threshold>::Shared Shared;
+  // The cells at the mesh are needed in any case.
+  std::vector<std::uint32_t> cells;
+  for(auto f : input.mesh().faces())
+    cells.push_back(
+      shell.field.locate(converted<Point_3>(input.mesh().point(input.mesh().target(input.mesh().halfedge(f))))));
+  cover.emplace(shell.field, shell.inner, shell.outer);
+  cover->template prepare<ConcurrencyTag>(std::move(cells));
+  std::vector<Shared> shared;
+  for(std::size_t c = 0; c < input.number_of_components(); ++c) {
+    const std::uint32_t known = cover->template flood<ConcurrencyTag>(converted<Point_3>(input.mesh().point(seeds[c])),
+                                                                      std::uint32_t(c));
+    if(known != c) shared.push_back({ known, c });
+  }
+  return shared;
+}
+
+// Returns true if there certainly is a critical point in an undecided box, and in the shell: between the thresholds,
+// and joined to a vertex of the mesh by a segment between them.
+template <typename Field, typename Threshold>
+bool is_critical(const Examined_shell<Field, Threshold>& shell, const Shell_cover_3<Field, Threshold>& cover,
+                 const Input_mesh_3::Triangle_mesh& mesh, const Cover_box& box, std::array<double, 3>& point)
+{
+  typedef typename Field::Point_3 Point_3;
+  typedef Input_mesh_3::Triangle_mesh Triangle_mesh;
+  const Enclosed_tricubic f = cover.function(box);
+  const std::optional<Critical_point> critical = prove_critical_point(f);
+  if(!critical) return false;
+  const Bbox_3 b = cover.bbox(box);
+  const double width = b.xmax() - b.xmin();
+  for(int a = 0; a < 3; ++a) point[a] = (b.min)(a) + critical->center[a] * width;
+  // The whole box must be in the shell, as the critical point may be anywhere in it.
+  if(!cover.is_between_thresholds(box)) return false;
+  const Triangle_mesh::Point p(point[0], point[1], point[2]);
+  Triangle_mesh::Point nearest = p;
+  double least = std::numeric_limits<double>::infinity();
+  for(auto v : mesh.vertices()) {
+    const double d = CGAL::squared_distance(p, mesh.point(v));
+    if(d < least) {
+      least = d;
+      nearest = mesh.point(v);
+    }
+  }
+  return shell.contains(converted<Point_3>(p), converted<Point_3>(nearest));
+}
+
+constexpr std::size_t max_examined_boxes = 64; // undecided boxes that are searched for a critical point
+
+// Examines P3, given P1: the mesh's components stay in the components of their seeds. Returns the components of the
+// mesh that share a component of the cover.
+template <typename ConcurrencyTag, typename Field, typename Threshold>
+std::vector<typename Shell_cover_3<Field, Threshold>::Shared> examine_cover(
+  const Examined_shell<Field, Threshold>& shell, const Input_mesh_3& input, const Seeds& seeds,
+  const Proved_cover& proved, double least_slope, std::optional<Shell_cover_3<Field, Threshold> >& found_cover,
+  Certificate_draft& draft)
+{
+  typedef Shell_cover_3<Field, Threshold> Cover;
+  typedef typename Cover::Shared Shared;
+  const Input_mesh_3::Triangle_mesh& mesh = input.mesh();
+  const std::optional<std::vector<Shared> > known = adopt_proved_cover(shell, mesh, seeds, proved, found_cover);
+  const std::vector<Shared> shared = known ? *known : find_cover<ConcurrencyTag>(shell, input, seeds, found_cover);
+  const Cover& cover = *found_cover;
+  draft.begin(Claim::GRADIENT);
+  draft.covers = input.number_of_components() - shared.size();
+
+  Level_range thresholds;
+  const bool is_greatest_known = known && draft.covers == proved.components
+                                 && proved.greatest_gradient < std::numeric_limits<double>::infinity();
+  double greatest = is_greatest_known ? proved.greatest_gradient : 0;
+  std::uint32_t last_cell = std::uint32_t(-1);
+  std::size_t examined = 0;
+  for(const Cover_box& box : cover.boxes()) {
+    draft.statistics.deepest_box = (std::max)(draft.statistics.deepest_box, std::size_t(box.depth));
+    if(box.kind == Box_kind::EXCLUDED) ++draft.statistics.excluded_boxes;
+    if(box.component == Cover_box::no_component) continue;
+    ++draft.statistics.cover_boxes;
+    if(box.cell != last_cell) {
+      last_cell = box.cell;
+      thresholds.include(threshold_range(shell.inner, shell.outer, box.cell));
+      if(!is_greatest_known) greatest = (std::max)(greatest, greatest_gradient(shell.field, box.cell));
+    }
+    if(box.kind == Box_kind::MONOTONE) {
+      ++draft.statistics.monotone_boxes;
+      continue;
+    }
+    if(box.kind != Box_kind::UNDECIDED) {
+      ++draft.statistics.critical_boxes;
+      continue;
+    }
+    ++draft.statistics.undecided_boxes;
+    Run::poll();
+    const Bbox_3 b = cover.bbox(box);
+    std::array<double, 3> center = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };
+    const bool critical = examined < max_examined_boxes && is_critical(shell, cover, mesh, box, center);
+    ++examined;
+    Certificate_witness w = witness(Claim::GRADIENT, critical ? Verdict::REFUTED : Verdict::UNDECIDED,
+                                    critical ? Certificate_witness::CRITICAL_POINT : Certificate_witness::BOX);
+    w.cell = box.cell;
+    w.point = center;
+    draft.conclude(w);
+  }
+  for(typename Cover::Box_index b : cover.at_end()) {
+    Certificate_witness w = witness(Claim::GRADIENT, Verdict::UNDECIDED, Certificate_witness::END_OF_DOMAIN);
+    w.cell = cover.boxes()[b].cell;
+    const Bbox_3 box = cover.bbox(cover.boxes()[b]);
+    w.point = { (box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2 };
+    draft.conclude(w);
+  }
+  draft.statistics.cover_cells = cover.number_of_cells();
+  draft.greatest_gradient = greatest;
+  if(draft.verdict(Claim::TRANSVERSALITY) == Verdict::PROVED)
+    draft.least_angle = std::asin((std::min)(1., least_slope / greatest)) * (1 - 8 * rounding);
+  if(draft.verdict(Claim::GRADIENT) == Verdict::PROVED)
+    draft.least_gradient = known && proved.least_gradient > 0 ? proved.least_gradient
+                                                              : cover.template least_gradient<ConcurrencyTag>();
+  if(draft.least_gradient > 0) draft.displacement_bound = longest_curve(thresholds, draft.least_gradient);
+  return shared;
+}
+
+} // namespace internal
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CERTIFICATE_INTERNAL_EXAMINE_COVER_H
