@@ -1,5 +1,5 @@
-// Collapses edges by CGAL's own function, with costs and places by Lindstrom and Turk, under a filter that keeps a
-// closed mesh in a shell; the certificate has the last word. Any kernel with double coordinates will do.
+// Collapses edges by CGAL's own function, with costs and placements by Lindstrom and Turk, and a filter that keeps the
+// mesh in a shell. The certificate is verified at the end. Any kernel with double coordinates can be used.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
@@ -34,7 +34,7 @@ int main(int argc, char** argv)
   if(code) return *code;
   Mesh mesh;
   if(!read_mesh(file, mesh)) return EXIT_FAILURE;
-  const auto shell = CGAL::certified_bspline_shell_3(mesh);
+  const auto shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::truncate(false));
   if(!shell) {
     std::cerr << message(shell.status()) << std::endl;
     return EXIT_FAILURE;

@@ -13,6 +13,7 @@ within NOISE is left out. FOLDER keeps what was measured, in figures.json, so th
 """
 import argparse
 import concurrent.futures
+import hashlib
 import json
 import math
 import os
@@ -63,14 +64,15 @@ def tuned_numbers(text):
 
 
 def stage(source):
-    """copies the sources, and returns all numbers"""
-    numbers = {}
+    """copies the sources; returns all numbers, and a checksum of the sources"""
+    numbers, checksum = {}, hashlib.sha256()
     for top in ("CMakeLists.txt", "cmake", "include", "src", "benchmark", "test"):
         top = os.path.join(ROOT, top)
         for path in [top] if os.path.isfile(top) else [os.path.join(f, n) for f, _, names in os.walk(top) for n in names]:
             if path.endswith(".pyc"):
                 continue
             text = open(path, encoding="utf-8").read()
+            checksum.update(text.encode())
             if path.endswith("_tuning.h"):
                 found, text = tuned_numbers(text)
                 numbers.update(found)
@@ -79,7 +81,7 @@ def stage(source):
             if not os.path.exists(copy) or open(copy, encoding="utf-8").read() != text:
                 open(copy, "w", encoding="utf-8").write(text)
     open(os.path.join(source, "tuned_number.h"), "w", encoding="utf-8").write(SWITCH)
-    return numbers
+    return numbers, checksum.hexdigest()
 
 
 def build(source, folder):
@@ -139,12 +141,15 @@ def main():
     parser.add_argument("words", nargs="*", metavar="WORDS")
     arguments = parser.parse_args()
     source, folder = os.path.join(arguments.work, "source"), os.path.join(arguments.work, "build")
-    numbers = stage(source)
+    numbers, checksum = stage(source)
     build(source, folder)
     program = os.path.join(folder, "benchmark", "Bspline_shell_3", "Tuning", "tuning_figures")
     meshes = [os.path.join(arguments.meshes or os.path.join(folder, "data", "meshes"), name + ".off") for name in MESHES]
     path = os.path.join(arguments.work, "figures.json")
+    key = [checksum, meshes]
     known = json.load(open(path)) if os.path.exists(path) else {}
+    if known.get("key") != key:
+        known = {"key": key}
     jobs = {"": (None, None)}
     for name, (kind, value) in numbers.items():
         if not arguments.words or any(word in name for word in arguments.words):

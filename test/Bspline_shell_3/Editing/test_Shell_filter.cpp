@@ -3,9 +3,11 @@
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Editing/Collapse_visitor.h>
+#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
 #include <CGAL/Bspline_shell_3/Editing/Shell_filter.h>
 #include <CGAL/bspline_shell_3.h>
+#include <CGAL/certified_bspline_shell_3.h>
 
 #include <CGAL/Polyhedral_envelope.h>
 #include <CGAL/Random.h>
@@ -14,6 +16,7 @@
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Polyhedral_envelope_filter.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
 #include <array>
@@ -303,5 +306,26 @@ TEST_CASE("Filter: a filter that is not copied keeps the mesh in an envelope, to
     CHECK(oracle()(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))))
           == Placement_verdict::ACCEPTED);
   }
+}
+
+TEST_CASE("Filter: an open mesh keeps its border, and is certified")
+{
+  Mesh start = sphere(3);
+  std::vector<Mesh::Face_index> cap;
+  for(auto f : start.faces())
+    if(start.point(start.source(start.halfedge(f))).z() > 0.6) cap.push_back(f);
+  for(auto f : cap) CGAL::Euler::remove_face(start.halfedge(f), start);
+  start.collect_garbage();
+  const auto shell = CGAL::certified_bspline_shell_3(start, P::relative_thickness(0.05));
+  REQUIRE(shell.is_certified());
+  Mesh mesh = start;
+  collapse(mesh, 6, BS::Shell_filter(shell));
+  mesh.collect_garbage();
+  const auto border_edges = [](const Mesh& m) {
+    return std::count_if(m.edges().begin(), m.edges().end(), [&](auto e) { return m.is_border(e); });
+  };
+  CHECK(mesh.number_of_faces() < start.number_of_faces() / 2);
+  CHECK(border_edges(mesh) == border_edges(start));
+  CHECK(BS::Shell_certificate_3(shell).verify(mesh));
 }
 } // namespace test_Shell_filter

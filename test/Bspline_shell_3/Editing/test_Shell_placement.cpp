@@ -8,6 +8,7 @@
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
+#include <CGAL/Filtered_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
@@ -22,6 +23,13 @@ namespace {
 namespace BS = CGAL::Bspline_shells;
 namespace P = CGAL::Bspline_shells::parameters;
 namespace SMS = CGAL::Surface_mesh_simplification;
+
+// a kernel with predicates of its own, which is not one of CGAL's
+struct Own_filtered_kernel
+  : CGAL::Filtered_kernel_adaptor<
+      CGAL::Type_equality_wrapper<CGAL::Simple_cartesian<double>::Base<Own_filtered_kernel>::Type, Own_filtered_kernel>,
+      true>
+{};
 
 // what a placement asks of an edge
 template <typename Kernel>

@@ -79,7 +79,7 @@ public:
   /// \pre `keys` are sorted and unique
   explicit Lattice_set_3(const std::vector<std::uint64_t>& keys)
   {
-    CGAL_precondition(std::is_sorted(keys.begin(), keys.end(), std::less_equal<std::uint64_t>()));
+    CGAL_precondition(std::adjacent_find(keys.begin(), keys.end(), std::greater_equal<std::uint64_t>()) == keys.end());
     m_points.reserve(keys.size());
     for(std::uint64_t key : keys) m_points.push_back(Lattice_key::decode(key));
     if(keys.empty()) return;

@@ -162,8 +162,6 @@ private:
   template <typename Kernel>
   static decltype(auto) point(const CGAL::Point_3<Kernel>& p)
   {
-    static_assert(std::is_same<typename Kernel::FT, double>::value,
-                  "The coordinates must be doubles: others would be rounded.");
     return internal::converted<Point_3>(p);
   }
 

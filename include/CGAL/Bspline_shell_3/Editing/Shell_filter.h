@@ -35,8 +35,8 @@ struct Permissive_filter
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief a filter for `CGAL::Surface_mesh_simplification::edge_collapse()` that keeps a closed mesh in a shell. A
- * placement passes only if the oracle accepts the facets at the new vertex, which are all that change, and their fan.
+ * \brief a filter for `CGAL::Surface_mesh_simplification::edge_collapse()` that keeps a mesh in a shell. A placement
+ * passes only if the oracle accepts the facets at the new vertex, which are all that change, and their fan.
  *
  * Assume that the facets of a mesh lie in the shell and face along the gradient, and that all its fans wind once. A
  * collapse that passes the filter preserves this property:
@@ -46,6 +46,10 @@ struct Permissive_filter
  *   fan's angle can only decrease, by full turns, and a fan of facets that all face the axis turns at least once.
  * - *Components* need no test. Every facet that changes has a vertex of the link, which does not move. The facet
  *   therefore lies in the same component of the shell as this vertex.
+ *
+ * Edges whose facets reach a border are not collapsed, so that an open mesh keeps the border that the closing of its
+ * shell has. Shells with a truncation are not supported: the mesh would have to be truncated first, as in
+ * `simplify_in_shell()`.
  *
  * The last two claims of the certificate, one sheet and degree one, then remain true, too. \cgal collapses edges of
  * length zero without calling the filter. The result should therefore be verified by `Shell_certificate_3`, as in
@@ -116,8 +120,11 @@ private:
     const std::size_t first = std::size_t(profile.left_face_exists()) + std::size_t(profile.right_face_exists());
     std::vector<Point_3> link;
     link.reserve(triangles.size() - first);
-    for(std::size_t n = first; n < triangles.size(); ++n)
+    for(std::size_t n = first; n < triangles.size(); ++n) {
+      const std::size_t next = n + 1 < triangles.size() ? n + 1 : first;
+      if(triangles[n].v0 != triangles[next].v2) return Placement_verdict::LEAVES_SHELL; // at a border
       link.push_back(internal::converted<Point_3>(get(vpm, triangles[n].v2)));
+    }
     return (*m_oracle)(internal::converted<Point_3>(p), link, m_state->memory);
   }
 

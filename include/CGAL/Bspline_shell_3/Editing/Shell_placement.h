@@ -16,7 +16,7 @@ namespace Bspline_shells {
  * \ingroup PkgBsplineShell3Editing
  *
  * \brief a placement for `CGAL::Surface_mesh_simplification::edge_collapse()` that moves the placements of another
- * policy into a shell. A point that is not between the thresholds is moved along the gradient to the mean level of the
+ * policy towards a shell. A point outside the shell is moved along the gradient to the mean level of the
  * edge's ends.
  *
  * `Shell_filter` then rejects fewer placements. Whether a point is moved is decided in floating-point arithmetic: this
@@ -33,11 +33,11 @@ template <typename Shell, typename BasePlacement>
 class Shell_placement
 {
 public:
-  /// \pre `shell` outlives this object and its copies
-  Shell_placement(const Shell& shell, const BasePlacement& base_placement = BasePlacement())
+  /// \pre there is a shell, and `shell` outlives this object and its copies
+  explicit Shell_placement(const Shell& shell, const BasePlacement& base_placement = BasePlacement())
     : m_shell(&shell), m_base_placement(base_placement)
   {}
-  Shell_placement(const Shell&&, const BasePlacement& = BasePlacement()) = delete; // would dangle
+  explicit Shell_placement(const Shell&&, const BasePlacement& = BasePlacement()) = delete; // would dangle
 
   /// returns the placement of the other policy, moved if necessary; none if that policy returns none.
   /// \tparam Profile a model of `EdgeCollapseProfile` whose points have coordinates of type `double`
@@ -47,9 +47,7 @@ public:
     auto place = m_base_placement(profile);
     if(!place) return place;
     const Point_3 p = point(*place);
-    const auto value = m_shell->field().value(p);
-    if(value && *value >= m_shell->inner_threshold().value(p) && *value <= m_shell->outer_threshold().value(p))
-      return place;
+    if(m_shell->bounded_side(p) != ON_UNBOUNDED_SIDE) return place;
     const auto moved = internal::move_to_mean_level(m_shell->field(), p, point(profile.p0()), point(profile.p1()));
     if(moved) place = internal::converted<typename Profile::Point>(*moved);
     return place;

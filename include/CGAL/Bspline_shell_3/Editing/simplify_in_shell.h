@@ -200,8 +200,11 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
   return ended(internal::edit_under_proof<ConcurrencyTag>(
     mesh, vpm, constrained, shell, may_repeat, np, result, [&](const auto& oracle, auto& frozen, const auto& all) {
       typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
-      Permissive_filter default_filter;
-      const auto& base_filter = choose_parameter(get_parameter_reference(np, internal_np::filter), default_filter);
+      // a copy of a filter that was passed by value
+      const auto& base_filter = [&np]() -> decltype(auto) {
+        if constexpr(is_default_parameter<CGAL_NP_CLASS, internal_np::filter_t>::value) return Permissive_filter();
+        else return get_parameter_reference(np, internal_np::filter);
+      }();
       typedef std::remove_reference_t<decltype(base_filter)> Base_filter;
       typedef Shell_filter<Oracle, std::reference_wrapper<Base_filter> > Filter;
       const Filter filter(oracle, std::cref(base_filter));

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -23,7 +24,8 @@ namespace Bspline_shells {
  * \brief adapts the solver traits of \cgal, such as `Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix> >`.
  *
  * The traits receive a copy of the whole matrix, and a new vector for each right-hand side. They factorize the matrix
- * for each right-hand side.
+ * for each right-hand side. Any failure has the status `NOT_CONVERGED`, as traits give no reason. Copies may share the
+ * solver of the traits, and so must be used by one thread at a time.
  *
  * \cgalModels `SPDSolver`
  *
@@ -36,7 +38,12 @@ public:
   typedef Eigen::SparseMatrix<double> Matrix;
   typedef Eigen::VectorXd Vector;
 
+  static_assert(std::is_same<typename SolverTraits::NT, double>::value, "The solver must compute with doubles.");
+
   explicit Solver_traits_adaptor(const SolverTraits& traits = SolverTraits()) : m_traits(traits) {}
+
+  /// a copy has no matrix. It may share the solver of the traits: `Eigen_solver_traits` has a pointer to it.
+  Solver_traits_adaptor(const Solver_traits_adaptor& other) : m_traits(other.m_traits) {}
 
   /// \param lower the lower triangle of the matrix, which must not change until the last `solve()`
   Solver_status compute(const Matrix& lower, const Unknown_blocks& = Unknown_blocks())

@@ -7,9 +7,8 @@
 #define CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_MESH_BACKUP_H
 
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
+#include <CGAL/boost/graph/properties.h>
 #include <CGAL/property_map.h>
-
-#include <boost/graph/properties.hpp>
 
 #include <cstddef>
 #include <type_traits>

@@ -15,6 +15,7 @@
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 
 #include <boost/container/static_vector.hpp>
