@@ -10,8 +10,9 @@
 #include <CGAL/Bspline_shell_3/Fit/Fitted_part.h>
 #include <CGAL/Bspline_shell_3/Fit/internal/Cell_colors.h>
 #include <CGAL/Bspline_shell_3/Fit/internal/Normal_equations.h>
+#include <CGAL/Bspline_shell_3/Fit/internal/Surface_quadrature.h>
+#include <CGAL/Bspline_shell_3/Fit/internal/basis_rows.h>
 #include <CGAL/Bspline_shell_3/Fit/internal/condense.h>
-#include <CGAL/Bspline_shell_3/Fit/internal/polygon_quadrature.h>
 #include <CGAL/Bspline_shell_3/Fit/sample_signed_distance.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/Spline/Cubic_bspline.h>
@@ -54,8 +55,8 @@ template <typename Field>
 class Fit_energy
 {
   typedef typename Field::Cell_index Cell_index;
-  typedef Eigen::Matrix<double, 64, 1> Local_vector;
-  typedef Eigen::Matrix<double, 64, 64> Local_matrix;
+  typedef internal::Local_vector Local_vector;
+  typedef internal::Local_matrix Local_matrix;
   typedef std::array<double, 4> Weights;
 
 public:
@@ -74,7 +75,7 @@ public:
   ///   mesh, and has at most `max_number_of_unknowns` coefficients
   Fit_energy(const Field& field, const std::vector<double>& samples, const Clipped_mesh_3& clipped, double gamma,
              const Energy_weights& weights)
-    : m_field(field), m_samples(samples), m_clipped(clipped), m_weights(weights), m_gamma(gamma), m_colors(field)
+    : m_field(field), m_samples(samples), m_surface(field, clipped), m_weights(weights), m_gamma(gamma), m_colors(field)
   {
     for(int s = 0; s < Distance_samples::per_cell; ++s)
       for(int a = 0; a < 3; ++a) {
@@ -85,7 +86,6 @@ public:
       }
     m_share.setZero();
     for(int s = 0; s < Distance_samples::per_cell; ++s) m_share += sample_row(s);
-    find_pieces();
   }
 
   /// returns the weight of a term in cell units
@@ -130,11 +130,10 @@ public:
     std::pair<double, double> range(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
     const Vector points = m_field.extend(x);
     for(Cell_index c = 0; c < m_field.number_of_cells(); ++c) {
-      if(m_first_piece[c] == m_first_piece[c + 1]) continue;
+      if(m_surface.is_empty(c)) continue;
       const std::array<double, 64> local = gather(points, c);
-      for_each_surface_point(c, [&](const std::array<double, 3>& t, double, std::uint32_t) {
-        const double f = internal::contract(local.data(), Cubic_bspline<>::values(t[0]), Cubic_bspline<>::values(t[1]),
-                                            Cubic_bspline<>::values(t[2]));
+      m_surface.for_each_point(c, [&](const auto& basis, double, const auto&) {
+        const double f = internal::contract(local.data(), basis[0][0], basis[0][1], basis[0][2]);
         range.first = (std::min)(range.first, f / scale(c));
         range.second = (std::max)(range.second, f / scale(c));
       });
@@ -263,7 +262,7 @@ public:
       const std::array<double, 64> local = gather(points, c);
       for(int s = 0; s < Distance_samples::per_cell; ++s) {
         Local_vector row;
-        const double det = hessian_determinant(local, s, &row);
+        const double det = internal::hessian_determinant(local, m_sample_basis[s], &row);
         const double w = weight(Energy_term::SINGULAR_HESSIAN) / Distance_samples::per_cell
                          / (std::max)(std::abs(det), eta);
         // det(x + d) ~ det + row . d = row . (x + d) - 2 det, as the determinant is cubic
@@ -303,64 +302,10 @@ private:
   // Returns the factor that converts coefficients to cell units: root cells per cell, along an axis.
   double scale(Cell_index c) const { return double(1 << m_field.cells().level(c)); }
 
-  void find_pieces()
-  {
-    m_first_piece.assign(m_field.number_of_cells() + 1, 0);
-    for(const Clipped_mesh_3::Piece& piece : m_clipped.pieces()) ++m_first_piece[piece.cell + 1];
-    for(std::size_t c = 0; c + 1 < m_first_piece.size(); ++c) m_first_piece[c + 1] += m_first_piece[c];
-  }
-
-  // Calls f(position in the cell, share of the area in cell units, facet) for the quadrature points on the mesh in a
-  // cell.
-  template <typename Function>
-  void for_each_surface_point(Cell_index c, const Function& f) const
-  {
-    const double width = m_field.cells().width(c);
-    const std::array<double, 3> corner = m_field.cells().corner(c);
-    std::vector<std::array<double, 3> > polygon;
-    for(std::size_t n = m_first_piece[c]; n < m_first_piece[c + 1]; ++n) {
-      const Clipped_mesh_3::Piece& piece = m_clipped.pieces()[n];
-      polygon.clear();
-      for(std::size_t v = piece.first; v < piece.first + piece.size; ++v) {
-        const Clipped_mesh_3::Point& p = m_clipped.point(v);
-        polygon.push_back({ (p[0] - corner[0]) / width, (p[1] - corner[1]) / width, (p[2] - corner[2]) / width });
-      }
-      internal::for_each_quadrature_point(polygon,
-                                          [&](const std::array<double, 3>& t, double w) { f(t, w, piece.facet); });
-    }
-  }
-
-  static Local_vector outer(const Weights& x, const Weights& y, const Weights& z)
-  {
-    Local_vector v;
-    for(int k = 0; k < 4; ++k)
-      for(int j = 0; j < 4; ++j) {
-        const double yz = y[j] * z[k];
-        for(int i = 0; i < 4; ++i) v[16 * k + 4 * j + i] = yz * x[i];
-      }
-    return v;
-  }
-
-  // Returns the derivatives of all 64 functions along a direction.
-  static Local_vector directional_row(const internal::Basis_jet<double, 2>& basis,
-                                      const std::array<double, 3>& direction)
-  {
-    const auto& b = basis[0];
-    const auto& d = basis[1];
-    Local_vector row;
-    for(int k = 0; k < 4; ++k)
-      for(int j = 0; j < 4; ++j) {
-        const double with_dx = direction[0] * b[1][j] * b[2][k];
-        const double with_b = direction[1] * d[1][j] * b[2][k] + direction[2] * b[1][j] * d[2][k];
-        for(int i = 0; i < 4; ++i) row[16 * k + 4 * j + i] = with_dx * d[0][i] + with_b * b[0][i];
-      }
-    return row;
-  }
-
   Local_vector sample_row(int s) const
   {
     const std::array<Weights, 3>& b = m_sample_basis[s][0];
-    return outer(b[0], b[1], b[2]);
+    return internal::outer(b[0], b[1], b[2]);
   }
 
   double sample_value(const std::array<double, 64>& local, int s) const
@@ -398,24 +343,6 @@ private:
     return m_samples[std::size_t(c) * Distance_samples::per_cell + s] / m_field.cells().width(c);
   }
 
-  // Returns the determinant of the Hessian at a sample and, if `row` is not null, its derivative by the 64
-  // coefficients.
-  double hessian_determinant(const std::array<double, 64>& local, int s, Local_vector* row) const
-  {
-    const internal::Basis_jet<double, 3>& basis = m_sample_basis[s];
-    const std::array<double, 6> h = internal::second_order_jet<double>(local.data(), basis).hessian;
-    const double xx = h[0], yy = h[1], zz = h[2], xy = h[3], xz = h[4], yz = h[5];
-    const double cxx = yy * zz - yz * yz, cyy = xx * zz - xz * xz, czz = xx * yy - xy * xy;
-    const double cxy = xz * yz - xy * zz, cxz = xy * yz - xz * yy, cyz = xy * xz - xx * yz;
-    if(row != nullptr)
-      *row = cxx * outer(basis[2][0], basis[0][1], basis[0][2]) + cyy * outer(basis[0][0], basis[2][1], basis[0][2])
-             + czz * outer(basis[0][0], basis[0][1], basis[2][2])
-             + 2 * cxy * outer(basis[1][0], basis[1][1], basis[0][2])
-             + 2 * cxz * outer(basis[1][0], basis[0][1], basis[1][2])
-             + 2 * cyz * outer(basis[0][0], basis[1][1], basis[1][2]);
-    return xx * cxx + xy * cxy + xz * cxz;
-  }
-
   // Calls visit(residual, weight, row) for the residuals of a term in a cell; row() is the derivative of the residual
   // by the cell's 64 coefficients in cell units.
   template <typename Visitor>
@@ -440,28 +367,23 @@ private:
       case Energy_term::SURFACE:
       case Energy_term::ANGLE:
       case Energy_term::NORMAL: {
-        if(m_first_piece[c] == m_first_piece[c + 1]) return;
+        if(m_surface.is_empty(c)) return;
         const std::array<double, 64> local = gather(points, c);
-        for_each_surface_point(c, [&](const std::array<double, 3>& t, double w, std::uint32_t facet) {
-          internal::Basis_jet<double, 2> basis;
-          for(int a = 0; a < 3; ++a) {
-            basis[0][a] = Cubic_bspline<>::values(t[a]);
-            basis[1][a] = Cubic_bspline<>::first_derivatives(t[a]);
-          }
+        m_surface.for_each_point(c, [&](const auto& basis, double w, const std::array<double, 3>& n) {
           const internal::First_order_jet<double> jet = internal::first_order_jet<double>(local.data(), basis);
           if(term == Energy_term::SURFACE) {
-            visit(jet.value, w * surface_factor(c), [&]() { return outer(basis[0][0], basis[0][1], basis[0][2]); });
+            visit(jet.value, w * surface_factor(c),
+                  [&]() { return internal::outer(basis[0][0], basis[0][1], basis[0][2]); });
             return;
           }
           const std::array<double, 3>& g = jet.gradient;
-          const std::array<double, 3>& n = m_clipped.normal(facet);
           if(term == Energy_term::NORMAL)
-            visit(internal::dot(n, g) - 1, w, [&]() { return directional_row(basis, n); });
+            visit(internal::dot(n, g) - 1, w, [&]() { return internal::directional_row(basis, n); });
           else
             for(int a = 0; a < 3; ++a) {
               std::array<double, 3> axis = {};
               axis[a] = 1;
-              visit(g[a] - n[a], w, [&]() { return directional_row(basis, axis); });
+              visit(g[a] - n[a], w, [&]() { return internal::directional_row(basis, axis); });
             }
         });
         return;
@@ -470,11 +392,12 @@ private:
         if(!in_hessian_domain(c)) return;
         const std::array<double, 64> local = gather(points, c);
         for(int s = 0; s < Distance_samples::per_cell; ++s)
-          visit(hessian_determinant(local, s, nullptr), 1. / Distance_samples::per_cell, [&]() {
-            Local_vector row;
-            hessian_determinant(local, s, &row);
-            return row;
-          });
+          visit(internal::hessian_determinant(local, m_sample_basis[s], nullptr), 1. / Distance_samples::per_cell,
+                [&]() {
+                  Local_vector row;
+                  internal::hessian_determinant(local, m_sample_basis[s], &row);
+                  return row;
+                });
         return;
       }
     }
@@ -533,22 +456,18 @@ private:
     };
     const double angle = weight(Energy_term::ANGLE), both = angle + weight(Energy_term::NORMAL);
     const double surface = weight(Energy_term::SURFACE) * surface_factor(c);
-    for_each_surface_point(c, [&](const std::array<double, 3>& t, double w, std::uint32_t facet) {
-      internal::Basis_jet<double, 2> basis;
-      for(int a = 0; a < 3; ++a) {
-        basis[0][a] = Cubic_bspline<>::values(t[a]);
-        basis[1][a] = Cubic_bspline<>::first_derivatives(t[a]);
-      }
-      std::array<double, 3> frame[3] = { m_clipped.normal(facet) };
-      const Local_vector along_normal = directional_row(basis, frame[0]);
+    m_surface.for_each_point(c, [&](const auto& basis, double w, const std::array<double, 3>& normal) {
+      std::array<double, 3> frame[3] = { normal };
+      const Local_vector along_normal = internal::directional_row(basis, frame[0]);
       rhs += w * both * along_normal;
       rows.col(used++) = std::sqrt(w * both) * along_normal;
       if(angle > 0) {
         tangent_frame(frame);
-        rows.col(used++) = std::sqrt(w * angle) * directional_row(basis, frame[1]);
-        rows.col(used++) = std::sqrt(w * angle) * directional_row(basis, frame[2]);
+        rows.col(used++) = std::sqrt(w * angle) * internal::directional_row(basis, frame[1]);
+        rows.col(used++) = std::sqrt(w * angle) * internal::directional_row(basis, frame[2]);
       }
-      if(surface > 0) rows.col(used++) = std::sqrt(w * surface) * outer(basis[0][0], basis[0][1], basis[0][2]);
+      if(surface > 0)
+        rows.col(used++) = std::sqrt(w * surface) * internal::outer(basis[0][0], basis[0][1], basis[0][2]);
       if(used > 4 * (batch - 1)) flush();
     });
     if(used > 0) flush();
@@ -565,15 +484,14 @@ private:
 
   const Field& m_field;
   const std::vector<double>& m_samples;
-  const Clipped_mesh_3& m_clipped;
+  internal::Surface_quadrature<Field> m_surface;
   Energy_weights m_weights;
   double m_gamma;
   internal::Cell_colors<Field> m_colors;
   std::array<internal::Basis_jet<double, 3>, Distance_samples::per_cell> m_sample_basis;
-  Local_vector m_share;                   // sum of each of the 64 functions over the samples of a cell
-  std::vector<std::size_t> m_first_piece; // first piece of each cell, and the end
-  std::vector<char> m_hessian_domain;     // by cell, or empty
-  std::vector<float> m_surface_factors;   // by cell, or empty
+  Local_vector m_share;                 // sum of each of the 64 functions over the samples of a cell
+  std::vector<char> m_hessian_domain;   // by cell, or empty
+  std::vector<float> m_surface_factors; // by cell, or empty
 };
 
 } // namespace Bspline_shells

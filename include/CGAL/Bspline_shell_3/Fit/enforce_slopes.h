@@ -7,7 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_FIT_ENFORCE_SLOPES_H
 
 #include <CGAL/Bspline_shell_3/Fit/Slope_tuning.h>
-#include <CGAL/Bspline_shell_3/Spline/Cubic_bspline.h>
+#include <CGAL/Bspline_shell_3/Fit/internal/basis_rows.h>
 #include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
 #include <CGAL/Bspline_shell_3/Spline/tensor_contraction.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
@@ -189,37 +189,18 @@ private:
   typedef std::array<double, numbers> Slacks;
 
   // Returns the derivative of such a number by the 64 coefficients of the cell, which are in root units.
-  std::array<double, 64> local_row(const Slope_condition& condition, int number) const
+  internal::Local_vector local_row(const Slope_condition& condition, int number) const
   {
-    std::array<std::array<double, 4>, 3> value, slope;
-    for(int a = 0; a < 3; ++a) {
-      value[a] = Cubic_bspline<>::values(condition.position[a]);
-      slope[a] = Cubic_bspline<>::first_derivatives(condition.position[a]);
-    }
-    const std::array<double, 3>& d = condition.direction;
-    const double s = scale(condition.cell);
-    std::array<double, 64> row;
-    for(int k = 0; k < 4; ++k)
-      for(int j = 0; j < 4; ++j) {
-        const double of_value = (number == 1 ? 1 : -1) * value[1][j] * value[2][k];
-        const double with_slope = s * d[0] * value[1][j] * value[2][k];
-        const double with_value = s * (d[1] * slope[1][j] * value[2][k] + d[2] * value[1][j] * slope[2][k]);
-        for(int i = 0; i < 4; ++i)
-          row[16 * k + 4 * j + i] = number == 0 ? with_slope * slope[0][i] + with_value * value[0][i]
-                                                : of_value * value[0][i];
-      }
-    return row;
+    const internal::Basis_jet<double, 2> basis = internal::first_order_basis(condition.position);
+    if(number == 0) return scale(condition.cell) * internal::directional_row(basis, condition.direction);
+    return (number == 1 ? 1. : -1.) * internal::outer(basis[0][0], basis[0][1], basis[0][2]);
   }
 
   // Returns these numbers for 64 coefficients of the condition's cell.
   Slacks evaluate(const Slope_condition& condition, const double* local) const
   {
-    internal::Basis_jet<double, 2> basis;
-    for(int a = 0; a < 3; ++a) {
-      basis[0][a] = Cubic_bspline<>::values(condition.position[a]);
-      basis[1][a] = Cubic_bspline<>::first_derivatives(condition.position[a]);
-    }
-    const internal::First_order_jet<double> jet = internal::first_order_jet<double>(local, basis);
+    const internal::First_order_jet<double> jet = internal::first_order_jet<double>(
+      local, internal::first_order_basis(condition.position));
     const std::array<double, 3>&g = jet.gradient, &d = condition.direction;
     return { scale(condition.cell) * internal::dot(g, d), jet.value, -jet.value };
   }
@@ -546,7 +527,7 @@ private:
         cell.used[n][v.number] = 1;
         const Eigen::Index column = old + Eigen::Index(m);
         W.col(column).setZero();
-        const std::array<double, 64> local = local_row(m_conditions[v.condition], v.number);
+        const internal::Local_vector local = local_row(m_conditions[v.condition], v.number);
         for(const typename Patch_cell::Entry& e : cell.entries) W(e.place, column) += e.weight * local[e.n];
         wanted[column] = slope_tuning.excess * std::abs(bound(m_conditions[v.condition], v.number))
                          - cell.before[n][v.number];
