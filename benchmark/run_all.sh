@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
-# Measures a fixed set of shells, edits and maps, in less than ten minutes, and compares with the figures in benchmark/Bspline_shell_3/Regressions (Debian 12):
+# Measures a fixed set of shells, edits and maps in less than ten minutes, and compares the results with the figures in
+# benchmark/Bspline_shell_3/Regressions (Debian 12):
 #   bash benchmark/run_all.sh [--update]
-# Installs what is missing, and builds. Seconds are compared as multiples of those of a reference computation in the same run, so that machines
-# with as many processors are alike; numbers of cells and facets are compared as they are. Nothing else should run meanwhile.
-# The exit code is 1 if a figure is worse than it was by more than is noise, or has changed though it must not; --update keeps the new ones instead.
+# Installs missing packages, and builds. Seconds are compared as multiples of those of a reference computation in the
+# same run, so machines with the same number of processors are comparable. Numbers of cells and facets are compared
+# directly. No other program should run meanwhile.
+# The exit code is 1 if a figure is worse by more than noise, or if a fixed figure has changed; --update stores the new
+# figures instead.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . cmake/install_packages.sh

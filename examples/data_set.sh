@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# The shell, the simplified mesh, the round trip and a picture of every mesh of a data set, a table and pages to look at (Debian 12):
+# Makes shell, simplified mesh, round trip and picture of each mesh of a data set, a table and web pages (Debian 12):
 #   bash examples/data_set.sh FOLDER|LIST [OPTION=VALUE...] [SNAKEMAKE OPTION...]
-# Installs what is missing, builds, runs on all processors, and says where the results are: results/data_set/index.html. Meshes are OFF, OBJ, PLY
-# or STL; LIST is a file with one a line. OPTION: results (a folder), facets, time_limit (seconds), memory_limit (megabytes), pictures, keep, batch; see
-# examples/Bspline_shell_3/data_set/data_set.py. What is complete is not made again, so that a run that was interrupted can be resumed. A mesh without
-# a result is recorded with the reason, and harms no other: the exit code is 0 then, too.
+# Installs missing packages, builds, runs on all processors, and prints the path of the result:
+# results/data_set/index.html.
+# Meshes are OFF, OBJ, PLY or STL; LIST is a file with one mesh per line. OPTION: results (a folder), facets, time_limit
+# (seconds), memory_limit (megabytes), pictures, keep, batch; see examples/Bspline_shell_3/data_set/data_set.py.
+# Complete results are not computed again, so an interrupted run can be resumed. If a mesh has no result, the reason is
+# recorded, other meshes are not affected, and the exit code is still 0.
 # On a cluster: --profile slurm. On some processors: --cores N.
 set -euo pipefail
 [ $# -ge 1 ] && [ -r "$1" ] || { echo "Usage: bash examples/data_set.sh FOLDER|LIST [OPTION=VALUE...] [SNAKEMAKE OPTION...]" >&2; exit 2; }
@@ -16,7 +18,7 @@ config=(batch=20) options=() cores=(--cores all)
 while [ $# -gt 0 ]; do
   case $1 in
     --profile)
-      # a job of a cluster takes longer to start than one here
+      # Starting a cluster job takes longer than starting a local one.
       cores=() config=(batch=100 "${config[@]:1}")
       options+=(--profile "$([ -d "$here/${2-}" ] && realpath "$here/$2" || echo "${2-}")")
       shift 2 ;;

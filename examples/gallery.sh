@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# Makes figures of the paper again, on CGAL's meshes, and a page with them: results/gallery/index.html (Debian 12).
+# Reproduces figures of the paper on CGAL's meshes, and writes a page with them: results/gallery/index.html (Debian 12).
 #   bash examples/gallery.sh [--again] [FIGURE...]
-# FIGURE: shells, gamma, gamma_impact, mu, simplification, geodesics, elasticity, booleans, fields, closest_point, self_intersections; by default,
-# all of them. Installs what is missing and builds the programs. What is complete is not made again, unless with --again, so that a run that was
-# interrupted can be resumed.
-# If a figure fails, the page says why, the others are made, and the exit code is 1; it is 2 if the usage is wrong.
+# FIGURE: shells, gamma, gamma_impact, mu, simplification, geodesics, elasticity, booleans, fields, closest_point,
+# self_intersections; by default, all of them.
+# Installs missing packages and builds the programs. Complete figures are not computed again without --again, so an
+# interrupted run can be resumed.
+# If a figure fails, the page shows the reason, the other figures are computed, and the exit code is 1. If the usage is
+# wrong, it is 2.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . cmake/install_packages.sh
@@ -24,7 +26,7 @@ if [ -n "$pending" ]; then
   command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   echo "Building ${programs[*]} (five minutes, the first time) ..."
   mkdir -p "$build"
-  # a program that cannot be built keeps no other from it
+  # If a program cannot be built, the others are still built.
   { cmake -S "$here" -B "$build" -G Ninja -Wno-dev "${launcher[@]}" -DCMAKE_BUILD_TYPE=Release &&
     cmake --build "$build" --target "${programs[@]}" -- -k 0; } >"$build/build.log" 2>&1 ||
     { tail -n 10 "$build/build.log"; echo "Not all could be built; see $build/build.log"; }

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# From nothing to a mesh that is simplified in its shell and keeps what the mesh carried, with a picture (Debian 12):
+# Simplifies a mesh in its shell, transfers its attributes, and draws a picture (Debian 12):
 #   bash examples/quickstart.sh [MESH] [FACETS]
-# Installs what is missing, builds, runs, and says where the results are. MESH is OFF, OBJ, PLY or STL, also if it is open or no surface
-# at all; without it, the elephant of the Debian package libcgal-demo is used. FACETS: how many are to be left; by default, as few as the shell allows.
-# The exit code is that of simplify_and_transfer, whose usage explains it. Results of an earlier run stay if a run fails.
+# Installs missing packages, builds, runs, and lists the results. MESH is OFF, OBJ, PLY or STL; it may be open, or not a
+# surface. By default, it is the elephant of the Debian package libcgal-demo. FACETS is the target number; by default,
+# as few as the shell allows.
+# The exit code is that of simplify_and_transfer; see its usage. If a run fails, results of an earlier run are kept.
 set -euo pipefail
 mesh=${1-} options=()
 if [ -n "$mesh" ]; then
@@ -44,7 +45,7 @@ draw() {      # PREFIX
   xvfb-run -a /usr/bin/python3 examples/Bspline_shell_3/render_shell.py "$1" "results/$name.new.png" \
     2>"$build/render.log" && [ -s "results/$name.new.png" ] && mv "results/$name.new.png" "$1.png"
 }
-# after 4 and 7, the results are complete but for what the program has named
+# After exit codes 4 and 7, results are complete except for those named by the program.
 if [[ $status != 0 && $status != 4 && $status != 7 ]]; then
   for prefix in "results/$name.failed" "results/$name"; do
     if [ "${prefix}_places.ply" -nt "$begin" ]; then
@@ -60,7 +61,7 @@ if draw "results/$name"; then
 else
   picture="
   (no picture: see $build/render.log)"
-  rm -f "results/$name.png"       # of an earlier run
+  rm -f "results/$name.png"       # a picture of an earlier run
 fi
 cat <<END
 Results:

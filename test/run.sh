@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Installs what is missing (Debian 12), builds the tests and the examples, and runs them.
+# Installs missing packages (Debian 12), builds the tests and the examples, and runs them.
 #   bash test/run.sh [--all | --sanitize]
 # --all: also slow tests, benchmarks, the manual, and the tests with sanitizers.
-# --sanitize: only these: unit tests of what counts, addresses and proves, with address and undefined-behavior sanitizers.
+# --sanitize: only unit tests of indexing, proofs and I/O, with address and undefined-behavior sanitizers.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mode=${1-}
@@ -13,8 +13,8 @@ if [ "$mode" = --all ]; then
 fi
 install_packages "${packages[@]}"
 
-# Assertions are on. More optimization would take longer to compile than it saves.
-# The compiler is a tenth faster if it collects no garbage below 4 GB.
+# Assertions are on. Higher optimization levels would take longer to compile than they save at run time. Compilation is
+# 10 % faster without garbage collection below 4 GB.
 options=(-G Ninja -Wno-dev -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=ON
          "-DCMAKE_CXX_FLAGS=--param=ggc-min-expand=1000 --param=ggc-min-heapsize=4000000")
 command -v ccache >/dev/null && options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
@@ -28,12 +28,12 @@ test_project() {
   ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" "${skipped[@]}"
 }
 
-# -Og compiles hardly longer than -O0, and what it compiles runs three times faster.
+# -Og compiles nearly as fast as -O0, and its code runs three times faster.
 test_with_sanitizers() {
   build=${BUILD_DIR:-build}/sanitize
   cmake -S . -B "$build" "${options[@]}" -DCMAKE_CXX_FLAGS_RELEASE=-Og -DBSPLINE_SHELL_3_SANITIZE=ON -DBSPLINE_SHELL_3_EXAMPLES=OFF
   cmake --build "$build" --parallel "$(nproc)" --target shell_tests
-  # what is allocated once by libraries is no leak of ours
+  # Libraries allocate some memory once and never free it.
   ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1 \
     ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)"
 }

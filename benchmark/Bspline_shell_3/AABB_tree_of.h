@@ -1,4 +1,4 @@
-// CGAL's trees of boxes, whose traits have another name from CGAL 6.0 on.
+// CGAL's AABB trees, whose traits class was renamed in CGAL 6.0.
 #ifndef BENCHMARK_AABB_TREE_OF_H
 #define BENCHMARK_AABB_TREE_OF_H
 

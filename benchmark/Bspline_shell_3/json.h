@@ -1,4 +1,4 @@
-// JSON as the benchmarks print it. It has no numbers that are infinite or not a number.
+// JSON output of benchmarks. JSON has no infinite numbers and no NaN.
 #ifndef BENCHMARK_JSON_H
 #define BENCHMARK_JSON_H
 
@@ -19,7 +19,7 @@ inline std::string quoted(const std::string& text)
   return result + "\"";
 }
 
-// prints numbers as usual, and null for those that are not finite
+// Prints numbers as usual, and null for those that are not finite.
 class JSON_numbers : public std::num_put<char>
 {
   typedef std::ostreambuf_iterator<char> Out;
@@ -32,7 +32,7 @@ class JSON_numbers : public std::num_put<char>
   }
 };
 
-// for std::cout and all streams that are made from now on
+// Affects std::cout and all streams that are created later.
 inline void print_JSON_numbers()
 {
   std::locale::global(std::locale(std::locale(), new JSON_numbers));

@@ -1,4 +1,4 @@
-// What programs that measure maps have in common: a certified shell, and a second mesh that is certified for it.
+// Shared by programs that measure maps: a certified shell, and a second mesh that is certified for it.
 #ifndef BENCHMARK_MESHES_IN_SHELL_H
 #define BENCHMARK_MESHES_IN_SHELL_H
 
@@ -39,8 +39,8 @@ inline bool read_triangles(const std::string& file, Mesh& mesh)
   return BS::read_triangle_mesh(file, mesh) == BS::Shell_status::SUCCESS;
 }
 
-// The mesh with its vertices moved along the flow, inwards here and outwards there: as far as the certificate allows,
-// from 80 % of the way to the thresholds down, halved each time. `part` is that share.
+// Returns the mesh with its vertices moved along the flow, inwards and outwards. They are moved by up to 80 % of the
+// way to the thresholds; this is halved until the mesh is certified. `part` is that share.
 inline std::optional<Mesh> moved_along_flow(const Shell& shell, const Mesh& mesh, double& part)
 {
   const BS::Gradient_flow_3<Shell> flow(shell);
@@ -63,7 +63,7 @@ inline std::optional<Mesh> moved_along_flow(const Shell& shell, const Mesh& mesh
   return std::nullopt;
 }
 
-// uniform on the surface
+// Returns uniformly distributed locations on the surface.
 inline std::vector<std::pair<Mesh::Face_index, std::array<double, 3> > > random_locations(const Mesh& mesh,
                                                                                           std::size_t number,
                                                                                           unsigned int seed)
@@ -110,8 +110,8 @@ struct Benchmark_arguments
   std::vector<std::string> files;
 };
 
-// calls measure(name, shell, mesh, moved, part) for each mesh that has a certified shell and a second mesh in it; says
-// so if not
+// Calls measure(name, shell, mesh, moved, part) for each mesh with a certified shell and a second mesh in it.
+// Otherwise, prints a status.
 template <typename Measure>
 void for_each_pair(const std::vector<std::string>& files, const Measure& measure)
 {

@@ -1,10 +1,9 @@
-// Nonlinear elasticity on tetrahedra: where the nodes of a compressible Neo-Hookean solid come to rest when some of
-// them are moved.
+// Nonlinear elasticity on tetrahedra: equilibria of a compressible Neo-Hookean solid, some of whose nodes are moved.
 //
 // The energy density is W(F) = mu/2 (tr(F^T F) - 3) - mu ln J + lambda/2 (ln J)^2, with the deformation gradient F and
-// J = det F. Elements are linear, with one quadrature point, or quadratic with straight sides (10 nodes) and four
-// points, exact for polynomials of degree two. J > 0 is kept at the quadrature points, in all states on the way: W has
-// no other domain. Between the points of quadratic elements it is not checked.
+// J = det F. Elements are linear with one quadrature point, or quadratic with straight sides (10 nodes) and four
+// points, exact for polynomials of degree two. W is defined for J > 0 only. This is enforced at the quadrature points
+// in all intermediate states, but not checked between the points of quadratic elements.
 #ifndef NEO_HOOKEAN_SOLID_H
 #define NEO_HOOKEAN_SOLID_H
 
@@ -64,8 +63,8 @@ inline const char* message(Solid_status status)
   return "";
 }
 
-// `Factorization` has the interface of Eigen's sparse Cholesky factorizations, and fails for matrices that are not
-// positive definite: Eigen::CholmodSupernodalLLT is an order of magnitude faster for large meshes.
+// `Factorization` has the interface of Eigen's sparse Cholesky factorizations, and fails if a matrix is not positive
+// definite. For large meshes, Eigen::CholmodSupernodalLLT is an order of magnitude faster.
 template <typename Factorization = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower> >
 class Neo_hookean_solid
 {
@@ -73,31 +72,31 @@ public:
   typedef Eigen::Vector3d Vector;
   typedef Eigen::Matrix3Xd Vectors; // a column for each node
   typedef Eigen::SparseMatrix<double> Matrix;
-  // displacement of a node at the load t, from 0 to 1
+  // Returns the displacement of a node at the load t, from 0 to 1.
   typedef std::function<Vector(std::size_t node, double t)> Motion;
 
   struct Condition
   {
     std::size_t node;
-    std::array<bool, 3> is_held = { true, true, true }; // which of its coordinates follow the motion
+    std::array<bool, 3> is_held = { true, true, true }; // coordinates that follow the motion
   };
 
   struct Options
   {
-    unsigned int load_steps = 1;  // to begin with; a step that fails is halved, down to 1/1024 of these
-    unsigned int iterations = 50; // in each load step
-    double tolerance = 1e-10;     // of the forces: their norm over force_unit()
-    Vectors start;                // displacements; none: zero
+    unsigned int load_steps = 1;  // initial number; a failed step is halved, down to 1/1024 of its size
+    unsigned int iterations = 50; // per load step
+    double tolerance = 1e-10;     // bounds the norm of the forces, in units of force_unit()
+    Vectors start;                // initial displacements; zero if empty
   };
 
   struct Result
   {
     Solid_status status = Solid_status::SUCCESS;
-    Vectors displacements; // the last that were in equilibrium
-    double load = 0;       // up to which; 1 is all
-    // projections: Hessians that had to be made positive definite
+    Vectors displacements; // the last equilibrium
+    double load = 0;       // 1 is the full load
+    // projections: number of Hessians that were made positive definite
     unsigned int iterations = 0, load_steps = 0, projections = 0;
-    double energy = 0, least_jacobian = 0; // of these displacements; the least J at a quadrature point
+    double energy = 0, least_jacobian = 0; // the least J is that at quadrature points
     std::vector<double> residuals;         // norms of the forces, in the order of the iterations
 
     explicit operator bool() const { return status == Solid_status::SUCCESS; }
@@ -108,7 +107,7 @@ public:
     double energy = 0, rounding = 0, least_jacobian = std::numeric_limits<double>::infinity();
   };
 
-  // Nodes are the points, in their order, and then the middles of edges, if elements are quadratic.
+  // Nodes are the points, in their order; for quadratic elements, midpoints of edges follow.
   Neo_hookean_solid(const std::vector<Vector>& points, const std::vector<std::array<std::size_t, 4> >& tetrahedra,
                     Element_order order, const Lame_parameters& material)
     : m_nodes(points), m_order(order), m_material(material)
@@ -123,7 +122,7 @@ public:
       for(int i = 0; i < 3; ++i) edges.col(i) = points[t[i + 1]] - points[t[0]];
       e.volume = edges.determinant() / 6;
       m_is_valid = m_is_valid && e.volume > 0;
-      // of the barycentric coordinates
+      // gradients of the barycentric coordinates
       e.gradients.template rightCols<3>() = edges.inverse().transpose();
       e.gradients.col(0) = -e.gradients.template rightCols<3>().rowwise().sum();
       std::copy(t.begin(), t.end(), e.nodes.begin());
@@ -145,13 +144,13 @@ public:
   std::size_t number_of_nodes() const { return m_nodes.size(); }
   const Vector& node(std::size_t n) const { return m_nodes[n]; }
 
-  // the sizes of the forces that keep each other in equilibrium in all elements when strains are about one
+  // Returns the magnitude of the elements' forces for strains of about one, a scale for residuals.
   double force_unit() const { return m_force_unit; }
 
-  // the node in the middle of an edge of quadratic elements
+  // Returns the node in the middle of an edge of quadratic elements.
   std::size_t middle(std::size_t a, std::size_t b) const { return m_middles.at(std::minmax(a, b)); }
 
-  // all nodes on a facet with these corners
+  // Returns all nodes on a facet with these corners.
   std::vector<std::size_t> facet_nodes(const std::array<std::size_t, 3>& corners) const
   {
     std::vector<std::size_t> nodes(corners.begin(), corners.end());
@@ -160,7 +159,7 @@ public:
     return nodes;
   }
 
-  // displacement of a point on a facet, whose corners are nodes, by its barycentric coordinates
+  // Returns the displacement of a point in a facet, whose corners are nodes, from barycentric coordinates.
   Vector displacement(const Vectors& u, const std::array<std::size_t, 3>& corners, const std::array<double, 3>& w) const
   {
     Vector sum = Vector::Zero();
@@ -172,7 +171,8 @@ public:
     return sum;
   }
 
-  // energy, the size of its rounding errors, and least J; the energy is infinite if that is not positive
+  // Returns the energy, an estimate of its rounding error, and the least J. If the least J is not positive, the energy
+  // is infinite.
   State state(const Vectors& u) const
   {
     State s;
@@ -187,13 +187,13 @@ public:
               * (m_material.mu * ((F.squaredNorm() + 3) / 2 + std::abs(log_J)) + m_material.lambda / 2 * log_J * log_J);
     });
     if(!(s.least_jacobian > 0)) s.energy = std::numeric_limits<double>::infinity();
-    // those of n terms add up like a random walk
+    // Rounding errors of n terms add up like a random walk.
     s.rounding = std::sqrt(double(m_elements.size() * points_per_element())) * std::numeric_limits<double>::epsilon()
                  * size;
     return s;
   }
 
-  // of the energy: the forces that hold the nodes where they are
+  // Returns the gradient of the energy: the forces that hold the nodes in place.
   Vectors gradient(const Vectors& u) const
   {
     Vectors result = Vectors::Zero(3, Eigen::Index(m_nodes.size()));
@@ -206,7 +206,7 @@ public:
     return result;
   }
 
-  // of the energy, for all coordinates of all nodes
+  // Returns the Hessian of the energy, for all coordinates of all nodes.
   Matrix hessian(const Vectors& u) const
   {
     std::vector<int> unknown(3 * m_nodes.size());
@@ -216,7 +216,7 @@ public:
     return H.template selfadjointView<Eigen::Lower>();
   }
 
-  // Newton's method, in load steps. The coordinates that `conditions` hold follow the motion, all others come to rest.
+  // Newton's method in load steps. Coordinates with a condition follow the motion; all others reach equilibrium.
   Result solve(const std::vector<Condition>& conditions, const Motion& motion, const Options& options = Options()) const
   {
     Result result;
@@ -234,7 +234,7 @@ public:
     record_state();
     if(!(result.least_jacobian > 0)) return ended(Solid_status::INVERTED_STATE);
 
-    // unknowns are numbered, and -1 is none
+    // unknowns are numbered from 0; held coordinates have -1
     std::vector<int> unknown(3 * m_nodes.size(), 0);
     int number = 0;
     for(const Condition& c : conditions)
@@ -246,7 +246,7 @@ public:
 
     const double longest = 1. / (std::max)(1u, options.load_steps);
     for(double step = longest; result.load < 1;) {
-      // rounding leaves no step to do
+      // Rounding must not leave a tiny last step.
       const double load = result.load + step < 1 - longest / 2048 ? result.load + step : 1;
       Vectors u = result.displacements, jump = Vectors::Zero(3, u.cols());
       for(const Condition& c : conditions) {
@@ -268,7 +268,7 @@ public:
   }
 
 private:
-  typedef Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 10> Gradients; // of the shape functions
+  typedef Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 10> Gradients; // gradients of the shape functions
   typedef Eigen::Matrix<double, 9, 9> Tangent;                          // second derivatives of W, by the columns of F
 
   struct Element
@@ -285,12 +285,12 @@ private:
     Factorization factorization;
   };
 
-  // of the edges of a tetrahedron
+  // edges of a tetrahedron
   static constexpr int ends[6][2] = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 1, 3 }, { 2, 3 } };
 
   std::size_t points_per_element() const { return m_order == Element_order::LINEAR ? 1 : 4; }
 
-  // calls f(element, gradients of the shape functions, weight) for each quadrature point
+  // Calls f(element, gradients of the shape functions, weight) for each quadrature point.
   template <typename F>
   void for_each_point(const F& f) const
   {
@@ -330,14 +330,14 @@ private:
         A.block<3, 3>(3 * j, 3 * l) += factor * G.col(l) * G.col(j).transpose()
                                        + m_material.lambda * G.col(j) * G.col(l).transpose();
     if(!is_projected) return A;
-    // any positive bound makes the sum of the elements positive definite, and changes the way to the solution only
+    // Any positive bound makes the sum of the elements positive definite. It changes the iterates, not the solution.
     const Eigen::SelfAdjointEigenSolver<Tangent> eigen(A);
     return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(1e-3 * m_material.mu).asDiagonal()
            * eigen.eigenvectors().transpose();
   }
 
-  // calls f(row, column, row of H, column of H) for each entry of an element's matrix that goes into the lower triangle
-  // of H
+  // Calls f(row, column, row of H, column of H) for each entry of an element's matrix that belongs to the lower
+  // triangle of H.
   template <typename F>
   static void for_each_entry(const Element& e, int nodes, const std::vector<int>& unknown, const F& f)
   {
@@ -359,8 +359,7 @@ private:
     return H;
   }
 
-  // sums up the Hessian in the entries that H has; returns its product with the jump of the coordinates that are held,
-  // if there is one
+  // Assembles the Hessian in the pattern of H. Returns the product of the Hessian and `jump`, or zero without a jump.
   Vectors assemble(const Vectors& u, const std::vector<int>& unknown, bool is_projected, Matrix& H,
                    const Vectors* jump = nullptr) const
   {
@@ -368,7 +367,7 @@ private:
     H.coeffs().setZero();
     for_each_point([&](const Element& e, const Gradients& g, double weight) {
       const Tangent A = weight * tangent(deformation_gradient(e, g, u), is_projected);
-      Eigen::Matrix<double, 9, Eigen::Dynamic, 0, 9, 30> B(9, 3 * g.cols()); // from displacements to F
+      Eigen::Matrix<double, 9, Eigen::Dynamic, 0, 9, 30> B(9, 3 * g.cols()); // maps displacements to F
       for(Eigen::Index a = 0; a < g.cols(); ++a)
         for(int l = 0; l < 3; ++l) B.template block<3, 3>(3 * l, 3 * a) = g(l, a) * Eigen::Matrix3d::Identity();
       const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 30, 30> K = B.transpose() * A * B;
@@ -382,8 +381,7 @@ private:
     return product;
   }
 
-  // The first step takes the jump of the coordinates that are held along, and all others as far as the linear equations
-  // say.
+  // The first step moves the held coordinates by `jump`, and the others by the solution of the linearized equations.
   Solid_status find_equilibrium(System& system, Vectors& jump, const Options& options, Vectors& u, Result& result) const
   {
     for(unsigned int iteration = 0;; ++iteration) {
@@ -400,7 +398,7 @@ private:
       Vectors product;
       const auto factorize = [&](bool is_projected) {
         product = assemble(u, system.unknown, is_projected, system.H, jumps ? &jump : nullptr);
-        if(system.H.rows() == 0) return true; // all is held
+        if(system.H.rows() == 0) return true; // all coordinates are held
         system.factorization.factorize(system.H);
         return system.factorization.info() == Eigen::Success;
       };
@@ -420,7 +418,7 @@ private:
       if(jumps) {
         if(!(state(u + step).least_jacobian > 0)) return Solid_status::MOVES_TOO_FAR;
       } else {
-        // Armijo's condition, as far as rounding lets it be seen
+        // Armijo's condition, up to rounding
         const State before = state(u);
         const double slope = rest.dot(solution);
         while(!(state(u + length * step).energy <= before.energy + 1e-4 * length * slope + before.rounding))

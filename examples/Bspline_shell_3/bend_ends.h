@@ -1,5 +1,5 @@
-// What elastic_proxy.cpp does to a mesh: of the facets at both ends of its longest side, those at one end are held,
-// those at the other are moved as if the mesh were bent to an arc.
+// The load case of elastic_proxy.cpp: facets at one end of the mesh's longest side are held. Those at the other end are
+// moved as if the mesh were bent to an arc.
 #ifndef BEND_ENDS_H
 #define BEND_ENDS_H
 
@@ -31,7 +31,7 @@ Eigen::Vector3d to_Eigen(const Point& p)
 class Bend
 {
 public:
-  // for the box of a mesh; the angle in radians
+  // Bends the box of a mesh by an angle, in radians.
   template <typename Mesh>
   Bend(const Mesh& mesh, double angle) : m_angle(angle)
   {
@@ -40,7 +40,7 @@ public:
       m_low[i] = (box.min)(i);
       m_high[i] = (box.max)(i);
     }
-    // from the longest side towards the shortest
+    // The mesh is bent from its longest side towards its shortest one.
     const Eigen::Vector3d size = m_high - m_low;
     size.maxCoeff(&m_along);
     m_towards = (m_along + 1) % 3;
@@ -49,7 +49,7 @@ public:
 
   double length() const { return m_high[m_along] - m_low[m_along]; }
 
-  // End::HELD and End::MOVED for the facets whose centroids are within `part` of the box at its ends
+  // Labels facets whose centroids are within `part` of the box at its ends as End::HELD or End::MOVED.
   template <typename Mesh, typename LabelMap>
   void label_ends(const Mesh& mesh, LabelMap labels, double part = 0.05) const
   {
@@ -61,7 +61,7 @@ public:
     }
   }
 
-  // where a point of the moved end is at the load t: at the end of an arc as long as the box
+  // Returns the position of a point of the moved end at the load t: at the end of an arc as long as the box.
   Eigen::Vector3d operator()(const Eigen::Vector3d& p, double t) const
   {
     const double angle = t * m_angle;
@@ -81,7 +81,7 @@ private:
   int m_along = 0, m_towards = 0;
 };
 
-// the corners of a facet, from the source of its halfedge on, as barycentric coordinates have them
+// Returns the corners of a facet in the order of barycentric coordinates, beginning with the source of its halfedge.
 template <typename Mesh>
 std::array<std::size_t, 3> corners(const Mesh& mesh, typename Mesh::Face_index f)
 {
@@ -89,7 +89,8 @@ std::array<std::size_t, 3> corners(const Mesh& mesh, typename Mesh::Face_index f
   return { std::size_t(mesh.source(h)), std::size_t(mesh.target(h)), std::size_t(mesh.target(mesh.next(h))) };
 }
 
-// Bends the tetrahedra that fill a mesh, at the facets with labels. Points of the mesh come first, in its order.
+// Solves for the tetrahedra that fill a mesh; conditions are set at labeled facets. The first nodes are the mesh's
+// vertices, in their order.
 template <typename Solid, typename Mesh, typename LabelMap>
 typename Solid::Result bend(const Solid& solid, const Mesh& mesh, LabelMap labels, const Bend& motion,
                             unsigned int load_steps)

@@ -1,4 +1,4 @@
-// Models of the kinds that are no surfaces, small enough to be made here.
+// Small generated models that are not surfaces.
 #ifndef BROKEN_MODELS_H
 #define BROKEN_MODELS_H
 
@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-// polygons, the part that each belongs to, and texture coordinates at each of its corners
+// Polygons, their parts, and texture coordinates at their corners.
 struct Broken_model
 {
   CGAL::Bspline_shells::Polygon_soup soup;
@@ -27,7 +27,7 @@ inline void add_polygon(Broken_model& model, std::size_t part, const std::vector
   model.texture.push_back(texture);
 }
 
-// longitude and latitude are the texture coordinates, with a seam
+// Adds a ball with longitude and latitude as texture coordinates, which have a seam.
 inline void add_ball(Broken_model& model, std::size_t part, const Center& c, double radius, int around = 32)
 {
   const double pi = 3.14159265358979323846;
@@ -58,7 +58,7 @@ inline void add_ball(Broken_model& model, std::size_t part, const Center& c, dou
     }
 }
 
-// six facets, each with its own points, smaller than it should be by `gap`; every second faces inwards
+// Adds a box of six facets with separate points, each facet too small by `gap`. Every second facet faces inwards.
 inline void add_box_with_gaps(Broken_model& model, std::size_t part, const Center& low, const Center& high, double gap)
 {
   for(int axis = 0; axis < 3; ++axis)
@@ -76,7 +76,7 @@ inline void add_box_with_gaps(Broken_model& model, std::size_t part, const Cente
     }
 }
 
-// two balls that meet: the paper's Figure 16
+// Two intersecting balls, as in Figure 16 of the paper.
 inline Broken_model two_balls()
 {
   Broken_model model;
@@ -85,7 +85,7 @@ inline Broken_model two_balls()
   return model;
 }
 
-// a figure as in games: parts pushed into each other, textures with seams
+// A figure as in games: intersecting parts, and textures with seams.
 inline Broken_model figure()
 {
   Broken_model model;
@@ -99,7 +99,7 @@ inline Broken_model figure()
   return model;
 }
 
-// a part as it comes out of a translator: facets that do not meet, that face either way, and twice the same
+// A machine part as written by a file converter: with gaps, inconsistent orientations, and doubled facets.
 inline Broken_model machine_part()
 {
   Broken_model model;

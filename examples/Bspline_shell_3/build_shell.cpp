@@ -1,5 +1,5 @@
-// Reads a mesh, builds its shell on equal cells, as in the paper, prints a table, and writes the two bounding surfaces
-// and the mesh with f and a color at its vertices; render_shell.py draws them. The usage, below, says what it returns.
+// Builds the shell of a mesh on equal cells, as in the paper, and prints a table. Writes the two bounding surfaces, and
+// the mesh with f and a color at its vertices; render_shell.py draws them. The usage below lists the exit codes.
 #include "example_output.h"
 
 #include <CGAL/bspline_shell_3.h>
@@ -22,7 +22,8 @@ const char* const usage =
   "  Exit codes: 0 done; 2 wrong usage; 3 a file cannot be written; 4 a bounding surface cannot be extracted,\n"
   "  the other files are written; 10 + the status (Status.h) if the mesh is refused or the shell fails.\n";
 
-// from blue below zero through white to red above; the level farther from zero has the full color
+// Returns blue for negative values, white for zero, red for positive ones. The level farther from zero has the full
+// color.
 CGAL::IO::Color color(double f, double inner, double outer)
 {
   const double full = (std::max)(std::abs(inner), std::abs(outer));
@@ -38,7 +39,7 @@ struct Options
   bool paper = false;
 };
 
-// Computes everything, and writes what there is. Returns the exit code.
+// Computes and writes all results, and returns the exit code.
 int run(const Options& options, const Results& results)
 {
   Mesh mesh;

@@ -1,5 +1,5 @@
-// A shell in which the map between meshes is proved to be one-to-one: cells are refined until the proof holds. Another
-// mesh in the shell, here the input with its vertices moved along the normals, is certified by the same claims.
+// Builds a shell in which the map between meshes is proved to be one-to-one: cells are refined until the proof
+// succeeds. A second mesh in the shell, whose vertices are moved along the gradient, is certified for the same claims.
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/certified_bspline_shell_3.h>
@@ -42,7 +42,7 @@ int main(int argc, char** argv)
   for(const BS::Certificate_witness& w : report.certificate.witnesses)
     std::cout << name(w.claim) << " is " << name(w.verdict) << " at " << place(w) << "\n";
 
-  // another mesh: is it in the shell, does it face the right way, is it met once by every curve?
+  // Another mesh: is it in the shell, does it face the right way, does every curve meet it once?
   Mesh moved = mesh;
   for(Mesh::Vertex_index v : moved.vertices()) {
     const auto gradient = shell.field().gradient(moved.point(v));

@@ -1,5 +1,6 @@
-// Is the map of a shell one-to-one? The certificate says what is proved, and where the rest fails; another mesh in the
-// same shell is certified by the same object, and single facets are tested before a mesh is changed.
+// Checks whether the map of a shell is one-to-one. The certificate has a verdict for each claim, and witnesses where a
+// proof fails. The same object certifies other meshes in the shell. Single facets can be tested before a mesh is
+// changed.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/IO/write_certificate.h>
@@ -44,7 +45,7 @@ int main(int argc, char** argv)
     std::cout << "No point is farther than " << certificate.displacement_bound()
               << " from its image on another certified mesh.\n";
 
-  // would a facet still be in the shell if one of its vertices moved?
+  // Would a facet still be in the shell if one of its vertices were moved?
   const BS::Shell_containment_3<> is_in_shell(shell);
   const auto h = mesh.halfedge(*mesh.faces().begin());
   const Kernel::Point_3 p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)),
@@ -54,7 +55,7 @@ int main(int argc, char** argv)
                                                                                        : "not in the shell")
             << std::endl;
 
-  // for programs that check the proof
+  // input of programs that check the proof
   if(BS::write_shell("certified.shell.txt", shell) != BS::Shell_file_status::SUCCESS
      || !BS::write_certificate("certified.certificate.txt", shell, certificate))
     return EXIT_FAILURE;

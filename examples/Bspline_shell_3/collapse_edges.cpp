@@ -1,5 +1,5 @@
-// Collapses edges by CGAL's own function, with costs and placements by Lindstrom and Turk, and a filter that keeps the
-// mesh in a shell. The certificate is verified at the end. Any kernel with double coordinates can be used.
+// Collapses edges by CGAL's own function, with Lindstrom-Turk costs and placements. A filter keeps the mesh in its
+// shell, and the certificate confirms the result. The kernel may be any one with double coordinates.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
@@ -41,7 +41,7 @@ int main(int argc, char** argv)
   }
 
   const SMS::LindstromTurk_placement<Mesh> placement;
-  const BS::Shell_filter filter(shell, SMS::Bounded_normal_change_filter<>()); // that of CGAL is asked first
+  const BS::Shell_filter filter(shell, SMS::Bounded_normal_change_filter<>()); // CGAL's filter is called first
   SMS::edge_collapse(mesh, BS::Facet_count_stop_predicate(facets),
                      CGAL::parameters::get_cost(SMS::LindstromTurk_cost<Mesh>())
                        .get_placement(BS::Shell_placement(shell, placement))

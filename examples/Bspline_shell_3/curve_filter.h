@@ -1,4 +1,4 @@
-// A filter of edge collapses that keeps a curve of constrained edges near to where it was.
+// A filter of edge collapses that keeps a curve of constrained edges close to its initial position.
 #ifndef CURVE_FILTER_H
 #define CURVE_FILTER_H
 
@@ -8,8 +8,8 @@
 #include <map>
 #include <vector>
 
-// An edge takes the place of a part of the curve only if all of this part is within the distance from it. As the part
-// is connected, and ends where the edge ends, the edge is within the distance from the part, too.
+// An edge may replace a part of the curve only if the whole part is within the distance of the edge. Since the part is
+// connected, and ends where the edge ends, the edge is also within the distance of the part.
 class Curve_filter
 {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
@@ -18,7 +18,7 @@ class Curve_filter
   typedef Mesh::Property_map<Mesh::Edge_index, bool> Curve;
 
 public:
-  // the mesh that will be simplified, and its map of constrained edges, as they are before
+  // The mesh and its map of constrained edges, before the simplification.
   Curve_filter(const Mesh& mesh, Curve curve, double distance) : m_curve(curve), m_squared_distance(distance * distance)
   {
     for(Mesh::Edge_index e : mesh.edges()) {
@@ -45,7 +45,7 @@ public:
   }
 
 private:
-  // whether the part of the curve before between the ends of the segment, through the point, is near to the segment
+  // Returns whether the initial curve between the ends of the segment, through the point, is close to the segment.
   bool is_near(const Point& middle, const Kernel::Segment_3& segment) const
   {
     const std::vector<Point>& both = m_neighbors.at(middle);
@@ -64,7 +64,7 @@ private:
 
   Curve m_curve;
   double m_squared_distance;
-  std::map<Point, std::vector<Point> > m_neighbors; // on the curve before
+  std::map<Point, std::vector<Point> > m_neighbors; // on the initial curve
 };
 
 #endif // CURVE_FILTER_H

@@ -1,4 +1,4 @@
-// A signed distance of one's own, here the closed form for a sphere of radius r, instead of the distance to the mesh.
+// Fits a shell to a custom signed distance, here the closed form for a sphere of radius r.
 #include <CGAL/bspline_shell_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

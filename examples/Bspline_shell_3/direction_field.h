@@ -1,5 +1,6 @@
-// The smoothest field of vectors, lines or crosses on a closed triangle mesh, and its singularities: F. Knoeppel, K.
-// Crane, U. Pinkall and P. Schroeder: Globally optimal direction fields, 2013; here with a vector for each facet.
+// Computes the smoothest field of vectors, lines or crosses on a closed triangle mesh, and its singularities.
+// Reference: F. Knoeppel, K. Crane, U. Pinkall and P. Schroeder: Globally optimal direction fields, 2013; here with one
+// vector per facet.
 #ifndef DIRECTION_FIELD_H
 #define DIRECTION_FIELD_H
 
@@ -20,23 +21,23 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef Mesh::Property_map<Mesh::Face_index, Kernel::Vector_3> Vectors;
 
-// a vertex around which N directions turn by `index` N-ths of a full turn
+// A vertex around which N directions turn by `index` / N of a full turn.
 struct Singularity
 {
   Mesh::Vertex_index vertex;
   int index;
 };
 
-// Fields on a mesh without removed simplices. The vector of a facet stands for the N directions with the same N-th
-// power, as a complex number whose real axis is along the facet's halfedge.
+// Fields on a mesh without removed simplices. The vector of a facet represents the N directions with the same N-th
+// power. Vectors are complex numbers; the real axis is along the facet's halfedge.
 class Direction_field_space
 {
   typedef std::complex<double> Complex;
 public:
   Direction_field_space(const Mesh& mesh, int directions) : m_mesh(mesh), m_directions(directions) {}
 
-  // The field that changes least across edges, of all with a norm: an eigenvector of the connection Laplacian. Returns
-  // whether it was found. It is longest where it is most certain.
+  // Computes the field of a given norm that changes least across edges: an eigenvector of the connection Laplacian.
+  // Vectors are long where the direction is well determined. Returns whether it was found.
   bool find_smoothest(Vectors field) const
   {
     const Eigen::Index size = Eigen::Index(m_mesh.num_faces());
@@ -47,7 +48,7 @@ public:
     for(Mesh::Edge_index e : m_mesh.edges()) {
       const Mesh::Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
       const int i = int(m_mesh.face(h)), j = int(m_mesh.face(g));
-      // the length of the edge by the distance of both centroids in the plane
+      // the length of the edge divided by the distance of both centroids, in the unfolded plane
       const Eigen::Vector2d distance = centroid(h) + centroid(g) - Eigen::Vector2d(edge(h).norm(), 0);
       const double weight = edge(h).norm() / distance.norm();
       const Complex transport = std::polar(1., m_directions * turn(h));
@@ -57,7 +58,7 @@ public:
       entries.emplace_back(i, j, -weight * std::conj(transport));
       stiffness += 2 * weight;
     }
-    // The shift is small, and makes the matrix regular where a field need not change at all, as on a flat torus.
+    // A small shift keeps the matrix regular if a field can be constant, as on a flat torus.
     const double shift = 1e-9 * stiffness / mass.sum();
     for(int i = 0; i < size; ++i) entries.emplace_back(i, i, shift * mass[i]);
     Eigen::SparseMatrix<Complex> matrix(size, size);
@@ -83,12 +84,12 @@ public:
     return std::isfinite(value);
   }
 
-  // The sum of their indices is N times the Euler characteristic.
+  // Returns the singularities, whose indices add up to N times the Euler characteristic.
   std::vector<Singularity> singularities(Vectors field) const
   {
     std::vector<Singularity> result;
     for(Mesh::Vertex_index v : m_mesh.vertices()) {
-      double sum = 2 * CGAL_PI * m_directions; // of what the field turns by, and of the curvature
+      double sum = 2 * CGAL_PI * m_directions; // adds up curvature and changes of the field
       for(Mesh::Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
         sum += change(h, field) - m_directions * angle(m_mesh.opposite(h));
       const int index = int(std::lround(sum / (2 * CGAL_PI)));
@@ -97,7 +98,7 @@ public:
     return result;
   }
 
-  // between two fields on a facet, in degrees
+  // Returns the angle between two fields on a facet, in degrees.
   double angle(Mesh::Face_index f, Vectors first, Vectors second) const
   {
     return std::abs(std::arg(power(f, first) * std::conj(power(f, second)))) / m_directions * 180 / CGAL_PI;
@@ -112,23 +113,23 @@ private:
   Eigen::Vector3d cross(Mesh::Halfedge_index h) const { return edge(h).cross(edge(m_mesh.next(h))); }
   Eigen::Vector3d normal(Mesh::Halfedge_index h) const { return cross(h).normalized(); }
   double area(Mesh::Halfedge_index h) const { return cross(h).norm() / 2; }
-  // of the facet, at the source
+  // Returns the angle of the facet at the source.
   double angle(Mesh::Halfedge_index h) const { return std::atan2(cross(h).norm(), -edge(h).dot(edge(m_mesh.prev(h)))); }
-  // of the facet, from the source, along the edge and into the facet
+  // Returns the centroid of the facet, relative to the source; axes are along the edge and into the facet.
   Eigen::Vector2d centroid(Mesh::Halfedge_index h) const
   {
     const Eigen::Vector3d to = (edge(h) - edge(m_mesh.prev(h))) / 3, x = edge(h).normalized();
     return Eigen::Vector2d(x.dot(to), normal(h).cross(x).dot(to));
   }
 
-  // an edge's direction in its facet
+  // Returns the angle of a vector relative to the axes of the halfedge's facet.
   double polar_angle(Mesh::Halfedge_index h, const Eigen::Vector3d& v) const
   {
     const Mesh::Halfedge_index first = m_mesh.halfedge(m_mesh.face(h));
     const Eigen::Vector3d x = edge(first).normalized();
     return std::atan2(normal(first).cross(x).dot(v), x.dot(v));
   }
-  // from the axes of the halfedge's facet to those of the facet across the edge
+  // Returns the rotation from the axes of the halfedge's facet to those of the facet across the edge.
   double turn(Mesh::Halfedge_index h) const
   {
     return polar_angle(m_mesh.opposite(h), edge(h)) - polar_angle(h, edge(h));
@@ -139,7 +140,7 @@ private:
     const Eigen::Vector3d u(field[f].x(), field[f].y(), field[f].z());
     return std::polar(u.norm(), m_directions * polar_angle(m_mesh.halfedge(f), u));
   }
-  // by what the N-th power turns across the edge; half a turn is the same turn from both sides
+  // Returns the rotation of the N-th power across the edge. A half turn has the same sign from both sides.
   double change(Mesh::Halfedge_index h, Vectors field) const
   {
     const Mesh::Halfedge_index g = m_mesh.opposite(h);

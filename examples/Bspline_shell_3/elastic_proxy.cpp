@@ -1,7 +1,6 @@
-// Bends a solid whose surface has bad triangles. A proxy with good triangles, made in the shell of the surface, is
-// filled with tetrahedra and bent there, in nonlinear elasticity; what is held and moved gets to the proxy, and the
-// displacement back to all vertices of the surface, by the one-to-one map between both. Without TetGen (AGPL) or Gmsh
-// (GPL), this example is not built.
+// Bends a solid whose surface has bad triangles. A proxy with good triangles in the shell of the surface is filled with
+// tetrahedra and bent by nonlinear elasticity. The one-to-one map transfers the labels of held and moved facets to the
+// proxy, and the displacement back to all vertices of the surface. This example requires TetGen (AGPL) or Gmsh (GPL).
 #include "Neo_hookean_solid.h"
 #include "bend_ends.h"
 #include "example_files.h"
@@ -31,7 +30,7 @@ int failed(const std::string& reason)
   return EXIT_FAILURE;
 }
 
-// moves the vertices, whose displacements come first, and writes the mesh
+// Moves the vertices by the first displacements, and writes the mesh.
 bool write_displaced(const char* file, Mesh& mesh, const Solid::Vectors& u)
 {
   for(Mesh::Vertex_index v : mesh.vertices()) {
@@ -100,7 +99,7 @@ int main(int argc, char** argv)
             << " load steps; least J: " << result.least_jacobian << "\n";
   if(!result) return EXIT_FAILURE;
 
-  // back to the surface: each vertex moves as its image on the proxy does
+  // Back to the surface: each vertex moves like its image on the proxy.
   Solid::Vectors u(3, mesh.number_of_vertices());
   for(Mesh::Vertex_index v : mesh.vertices()) {
     const auto image = map(v);

@@ -1,4 +1,4 @@
-// Shared by the examples with files: the command line, messages on refused meshes, and writing of whole files.
+// Shared by examples with files: the command line, error messages, and atomic writing of files.
 #ifndef EXAMPLE_FILES_H
 #define EXAMPLE_FILES_H
 
@@ -23,7 +23,7 @@
 
 namespace BS = CGAL::Bspline_shells;
 
-// Values that the command line sets: strings, positive numbers (double, std::size_t), integers from 0 (int), and flags.
+// Parses a command line into strings, positive numbers (double, std::size_t), nonnegative integers (int), and flags.
 class Arguments
 {
 public:
@@ -55,7 +55,7 @@ public:
     return *this;
   }
 
-  // Returns the exit code, if the program is to end: after --help, or with what is wrong on stderr.
+  // Returns the exit code if the program has to end: after --help, or after an error message.
   std::optional<int> read(int argc, char** argv) const
   {
     std::size_t positional = 0;
@@ -121,7 +121,7 @@ private:
   std::size_t m_required = 0;
 };
 
-// facets or vertices, the first ten of them
+// Lists the first ten facets or vertices.
 inline void list_places(std::ostream& out, const char* kind, const std::vector<std::size_t>& places)
 {
   if(places.empty()) return;
@@ -130,7 +130,7 @@ inline void list_places(std::ostream& out, const char* kind, const std::vector<s
   out << (places.size() > 10 ? " ... (" + std::to_string(places.size()) + ")" : "") << std::endl;
 }
 
-// Prints a message after the file and line that it is about, and then the places.
+// Prints a message with its file and line, followed by the facets and vertices concerned.
 inline void complain(const std::string& message, const BS::Offending_simplices& offenders,
                      const std::string& file = std::string())
 {
@@ -140,7 +140,7 @@ inline void complain(const std::string& message, const BS::Offending_simplices& 
   list_places(std::cerr, "vertices", offenders.vertices);
 }
 
-// a mesh of triangles, or a message
+// Reads a triangle mesh, or prints a message.
 template <typename Mesh>
 bool read_mesh(const std::string& file, Mesh& mesh)
 {
@@ -157,14 +157,14 @@ inline bool is_written(bool success, const std::string& file)
   return success;
 }
 
-// a file that is complete or not there, and then with a message
+// Writes a complete file, or no file and a message.
 template <typename Writer>
 bool write_result(const std::string& file, const Writer& write)
 {
   return is_written(BS::write_file(file, write), file);
 }
 
-// Writes a text in OFF or PLY, by the name of the file.
+// Writes text in OFF or PLY, depending on the file name.
 template <typename Mesh>
 bool save(const std::string& file, const Mesh& mesh)
 {

@@ -1,4 +1,4 @@
-// What the examples that write a shell share: messages, progress, and results that take their places together.
+// Shared by examples that write a shell: messages, progress, and results that are replaced together.
 #ifndef EXAMPLE_OUTPUT_H
 #define EXAMPLE_OUTPUT_H
 
@@ -32,7 +32,7 @@
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
-// exit codes beside 0
+// nonzero exit codes
 enum Exit_code
 {
   WRONG_USAGE = Arguments::wrong_usage,
@@ -44,7 +44,7 @@ enum Exit_code
   NO_SHELL = 10
 };
 
-// names the steps in one line of a terminal, and is quiet in a pipe
+// Prints the current step in one line of a terminal, and nothing to a pipe.
 struct Step_printer : BS::Default_shell_visitor
 {
   bool start_step(BS::Shell_step step)
@@ -72,8 +72,8 @@ inline int refuse(BS::Shell_status status, const std::string& message, const BS:
   return NO_SHELL + int(status);
 }
 
-// The files of a run: PREFIX and an ending. They are written under other names, and take their places together at the
-// end. So no run that fails removes results of an earlier one, or mixes with them.
+// The files of a run: PREFIX and an ending. They are written under temporary names, and renamed together at the end. So
+// a failed run neither removes results of an earlier one, nor mixes with them.
 class Results
 {
 public:
@@ -87,8 +87,8 @@ public:
   Results(const Results&) = delete;
   Results& operator=(const Results&) = delete;
 
-  // Returns 0, or the exit code if a result would replace the mesh, or cannot be written. This is better known before
-  // the long computation than after it.
+  // Returns 0, or the exit code if a result would replace the mesh or cannot be written. Such errors are reported
+  // before the long computation.
   int prepare(const std::string& mesh_file) const
   {
     for(const std::string& ending : m_endings) {
@@ -105,11 +105,11 @@ public:
     return 0;
   }
 
-  // the name of a result until it takes its place
+  // Returns the temporary name of a result.
   std::string pending(const std::string& ending) const { return m_prefix + ".new" + ending; }
 
-  // Moves the files that were written to their places, and returns the exit code. With success, also in part, they
-  // replace all results of an earlier run. Otherwise these stay as they are, and the files are named PREFIX.failed.
+  // Renames the written files, and returns the exit code. After success, complete or partial, they replace all results
+  // of an earlier run. Otherwise, earlier results are kept, and the files are named PREFIX.failed.
   int finish(int code) const
   {
     const auto any_exists = [&](const std::string& prefix) {
@@ -137,7 +137,7 @@ private:
   std::vector<std::string> m_endings;
 };
 
-// the first places where a claim is not proved
+// Lists the first witnesses.
 inline void list_witnesses(const BS::Certificate_report& certificate)
 {
   const auto& witnesses = certificate.witnesses;
@@ -149,8 +149,7 @@ inline void list_witnesses(const BS::Certificate_report& certificate)
     std::cerr << "... (" << certificate.total_number_of_witnesses() << " places)" << std::endl;
 }
 
-// Says which limit was reached, if one was, lists the narrowest places that stand in the way, and writes all of them as
-// points.
+// Prints the reached limit, if any, and the narrowest obstacles, and writes all obstacles as points.
 inline bool report_obstacles(const BS::Shell_report& report, const std::string& file)
 {
   if(report.limit.resource != BS::Refinement_resource::NONE) std::cerr << message(report.limit) << "\n";
@@ -166,7 +165,7 @@ inline bool report_obstacles(const BS::Shell_report& report, const std::string& 
          });
 }
 
-// what had to be done to polygons before they were a mesh, if anything
+// Prints the repairs of the polygons, if any.
 inline void print_repairs(const BS::Soup_repairs& repairs)
 {
   const auto line = [](std::size_t number, const char* what) {
@@ -189,7 +188,7 @@ inline bool write_mesh(const std::string& file, const Mesh& mesh)
   });
 }
 
-// the reason for a proxy, and the places where the polygons are not a mesh
+// Prints the reason for a proxy, and the places where the polygons are not a mesh.
 inline void print_reason(const BS::Shell_of_soup_3& found)
 {
   std::cout << "no mesh       " << found.mesh_message() << "\n";
@@ -197,7 +196,7 @@ inline void print_reason(const BS::Shell_of_soup_3& found)
   list_places(std::cout, "              vertices", found.offending_simplices.vertices);
 }
 
-// One of the two bounding surfaces. Returns 0, or what is to be returned.
+// Writes one of the two bounding surfaces. Returns 0, or the exit code.
 template <typename Shell>
 int write_surface(const std::string& file, const Shell& shell, const typename Shell::Threshold& threshold)
 {

@@ -1,6 +1,5 @@
-// Geodesic distances on a mesh whose triangles are too bad for them: the heat method is solved on a proxy with good
-// triangles in the mesh's shell, and the distances are carried back along the integral curves. The proxy keeps the
-// vertex that distances are from.
+// Geodesic distances on a mesh with bad triangles: the heat method is solved on a proxy with good triangles in the
+// mesh's shell, and the distances are transferred back along the integral curves. The proxy keeps the source vertex.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
@@ -25,7 +24,7 @@ typedef CGAL::Certified_bspline_shell_3 Shell;
 typedef Mesh::Property_map<Mesh::Vertex_index, double> Distance;
 typedef CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh> > Shortest_paths;
 
-// in percent of the largest distance
+// Prints errors in percent of the largest distance.
 void print_errors(const char* name, const Mesh& mesh, Distance distance, Distance exact)
 {
   double sum = 0, most = 0, largest = 0;
@@ -75,7 +74,7 @@ int main(int argc, char** argv)
   }
   proxy.collect_garbage();
 
-  // the distances on it, and back to the mesh
+  // distances on the proxy, transferred back to the mesh
   const Distance on_proxy = proxy.add_property_map<Mesh::Vertex_index, double>("v:distance").first,
                  distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first,
                  direct = mesh.add_property_map<Mesh::Vertex_index, double>("v:direct").first,
@@ -91,7 +90,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
 
-  // beside the heat method on the mesh itself, and the exact distances
+  // for comparison: the heat method on the mesh itself, and exact distances
   CGAL::Heat_method_3::estimate_geodesic_distances(mesh, direct, source);
   Shortest_paths paths(mesh);
   paths.add_source_point(source);

@@ -1,5 +1,5 @@
-// Simplifies an open mesh. Its shell is that of a closed one, but caps and back sheets are seen nowhere: the border
-// stays, bit for bit, and the map between the meshes is one-to-one.
+// Simplifies an open mesh. Its shell is that of a closed mesh, whose caps and back sheets are not visible to the user.
+// The border does not change in any bit, and the map between the meshes is one-to-one.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
@@ -48,7 +48,7 @@ int main(int argc, char** argv)
   }
   std::cout << lost << " vertices without an image, " << moved << " border vertices moved\n";
 
-  // the mesh as it was certified, to look at
+  // the closed mesh that was certified, for inspection
   Mesh closed = mesh;
   if(shell.closing() && !shell.closing()->attach(closed, closed.points())) return EXIT_FAILURE;
   const bool are_saved = save("simplified.off", coarse) && save("closed.off", closed);

@@ -1,4 +1,4 @@
-// Labels of facets that go through CGAL's Boolean operations, and the curve between facets with different ones.
+// Labels of facets that are preserved by CGAL's Boolean operations, and the curve between facets with different labels.
 #ifndef OPERAND_LABELS_H
 #define OPERAND_LABELS_H
 
@@ -38,7 +38,7 @@ inline std::optional<Boolean> operation_of(const std::string& name)
   return std::nullopt;
 }
 
-// facets that are new have no label: -1
+// Returns the labels of facets; new facets have the label -1.
 inline Labels labels_of(Mesh& mesh)
 {
   return mesh.add_property_map<Mesh::Face_index, int>("f:label", -1).first;
@@ -54,7 +54,7 @@ inline void set_labels(Mesh& mesh, int label)
   for(Mesh::Face_index f : mesh.faces()) labels[f] = label;
 }
 
-// Parts of a facet have its label, and so have copies of these in the result.
+// Copies the label of a facet to its parts, and to their copies in the result.
 struct Label_visitor : PMP::Corefinement::Default_visitor<Mesh>
 {
   void before_subface_creations(Mesh::Face_index f, Mesh& mesh) { label = labels.at(&mesh)[f]; }
@@ -65,17 +65,17 @@ struct Label_visitor : PMP::Corefinement::Default_visitor<Mesh>
   }
 
   std::map<const Mesh*, Labels> labels;
-  int label = 0; // of the facet that is being cut
+  int label = 0; // the label of the facet being split
 };
 
-// whether CGAL can take it
+// Returns whether a mesh is a valid operand of CGAL's Boolean operations.
 inline bool is_operand(const Mesh& mesh)
 {
   return CGAL::is_triangle_mesh(mesh) && CGAL::is_closed(mesh) && !PMP::does_self_intersect(mesh)
          && PMP::does_bound_a_volume(mesh);
 }
 
-// Returns whether the result is the boundary of a solid. Its facets have the labels of those that they are parts of.
+// Returns whether the result is a manifold. Its facets have the labels of the facets that they are parts of.
 inline bool compute(Boolean operation, Mesh first, Mesh second, Mesh& result)
 {
   Label_visitor visitor;
@@ -86,7 +86,7 @@ inline bool compute(Boolean operation, Mesh first, Mesh second, Mesh& result)
   return PMP::corefine_and_compute_difference(first, second, result, np);
 }
 
-// marks the edges between facets with different labels, and returns their number
+// Marks the edges between facets with different labels, and returns their number.
 inline std::size_t mark_curve(const Mesh& mesh, Labels labels, Curve curve)
 {
   std::size_t number = 0;
@@ -97,8 +97,8 @@ inline std::size_t mark_curve(const Mesh& mesh, Labels labels, Curve curve)
   return number;
 }
 
-// Scales, turns and moves a mesh, so that it is as large as the first one and neither beside it nor within it. Facets
-// along the axes are in no common plane then, unless chance has it.
+// Scales, turns and moves a mesh, so that it is as large as the first one, and their boxes intersect. Axis-parallel
+// facets of both meshes are usually not coplanar.
 inline void place(Mesh& mesh, const Mesh& first)
 {
   const CGAL::Bbox_3 box = PMP::bbox(mesh), other = PMP::bbox(first);
@@ -106,7 +106,7 @@ inline void place(Mesh& mesh, const Mesh& first)
   const auto middle = [](const CGAL::Bbox_3& b, int axis) { return ((b.max)(axis) + (b.min)(axis)) / 2; };
   const auto longest = [&](const CGAL::Bbox_3& b) { return (std::max)({ side(b, 0), side(b, 1), side(b, 2) }); };
   const double s = longest(other) / longest(box);
-  // by 90 degrees around the z-axis
+  // turned by 90 degrees about the z-axis
   PMP::transform(Kernel::Aff_transformation_3(0, -s, 0, middle(other, 0) + s * middle(box, 1) + 0.31 * side(other, 0),
                                               s, 0, 0, middle(other, 1) - s * middle(box, 0) + 0.13 * side(other, 1), 0,
                                               0, s, middle(other, 2) - s * middle(box, 2) + 0.17 * side(other, 2)),

@@ -1,4 +1,4 @@
-// Points that come one at a time, in several threads, are projected to a mesh in a shell.
+// Projects points one at a time, in several threads, to a mesh in a shell.
 #include "second_mesh.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Shell_projection_3.h>
@@ -16,10 +16,10 @@ int main(int argc, char** argv)
   Shell shell;
   if(const auto code = begin_example(argc, argv, mesh, shell, moved)) return *code;
 
-  const Projection projection(shell, moved); // sorts the facets once; threads share it
+  const Projection projection(shell, moved); // sorts the facets once; shared by threads
   std::atomic<std::size_t> projected(0);
   const auto project_vertices = [&](unsigned int begin, unsigned int end) {
-    Projection::Hint hint; // one for each thread: the search begins where the last image was
+    Projection::Hint hint; // one for each thread: the search begins at the previous image
     for(unsigned int n = begin; n < end; ++n) {
       const Projection::Image image = projection(mesh.point(Mesh::Vertex_index(n)), hint);
       if(image) ++projected; // image.point, image.location

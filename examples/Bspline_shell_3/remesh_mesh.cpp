@@ -1,6 +1,6 @@
-// Remeshes a mesh in its shell to edges of about one length, keeps its sharp edges, and carries a function at its
-// vertices over to the result. That cannot intersect itself, and the map between it and the mesh before is one-to-one:
-// both are proved.
+// Remeshes a mesh in its shell to edges of similar length, keeps its sharp edges, and transfers a function at its
+// vertices to the result. Two properties are proved: the result does not intersect itself, and the map between both
+// meshes is one-to-one.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
@@ -40,7 +40,7 @@ int main(int argc, char** argv)
   }
   const double unit = shell.report().unit; // the longest side of the box
 
-  // a function on the mesh as it is now
+  // a function on the initial mesh
   Mesh before = mesh;
   auto wave = before.add_property_map<Mesh::Vertex_index, double>("v:wave").first;
   for(Mesh::Vertex_index v : before.vertices()) wave[v] = std::sin(20 * before.point(v).x() / unit);

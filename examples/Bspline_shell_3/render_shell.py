@@ -1,13 +1,13 @@
 #!/usr/bin/python3
-"""Draws what build_shell or simplify_and_transfer have written.
+"""Draws the output of build_shell or simplify_and_transfer.
 
 Usage: render_shell.py PREFIX PICTURE.png
 
-Reads PREFIX_{mesh,inner,outer}.ply, and draws the mesh with its colors, and a cut through mesh and shell with a magnifier. If
-there are PREFIX_{simplified,detail}.ply, the simplified mesh with the colors that were carried over is drawn between the two, and
+Reads PREFIX_{mesh,inner,outer}.ply. Draws the mesh with its colors, and a cut through mesh and shell with a magnifier.
+If there are PREFIX_{simplified,detail}.ply, the simplified mesh with the transferred colors is drawn between them, and
 in the cut: its edges are those of simplified, its colors those of detail.
 
-If there is no PREFIX_outer.ply but PREFIX_places.ply, draws the mesh and these points: where the proof fails.
+If there is PREFIX_places.ply but no PREFIX_outer.ply, draws the mesh and these points, at which the proof fails.
 """
 import os
 import sys
@@ -15,8 +15,8 @@ import sys
 import vtk
 
 PANEL = 600             # width, in pixels
-TITLE = 40              # height
-MAGNIFIER = 0.32        # part of a panel
+TITLE = 40              # height, in pixels
+MAGNIFIER = 0.32        # fraction of a panel
 SAMPLES = 3             # per pixel and direction
 BLUE, RED, GREY, BLACK, GREEN = (0.20, 0.42, 0.85), (0.85, 0.25, 0.20), (0.93, 0.92, 0.90), (0.1, 0.1, 0.1), (0.0, 0.55, 0.25)
 
@@ -91,7 +91,7 @@ def largest_loop(data, plane):
     loop = vtk.vtkPolyDataConnectivityFilter()
     loop.SetInputConnection(cut.GetOutputPort())
     loop.SetExtractionModeToLargestRegion()
-    used = vtk.vtkCleanPolyData()           # points of the other loops are dropped
+    used = vtk.vtkCleanPolyData()           # removes points of the other loops
     used.SetInputConnection(loop.GetOutputPort())
     used.Update()
     return used.GetOutput()
@@ -120,7 +120,10 @@ def in_view(data, camera):
 
 
 def emptiest_corner(data, scale, rows):
-    """Of a panel, above its title. The data are in coordinates of the view, which are zero in the middle of the panel."""
+    """Returns the corner of a panel, above its title, with the fewest points.
+
+    The data are in view coordinates, which are zero in the middle of the panel.
+    """
     width, height, middle = scale * PANEL, scale * (rows - TITLE), scale * TITLE / 2
     points = [data.GetPoint(i) for i in range(data.GetNumberOfPoints())]
     size = MAGNIFIER * width
@@ -216,7 +219,7 @@ def main(prefix, picture):
     plane.SetOrigin(center)
     plane.SetNormal(*[-x for x in view])
 
-    # what is in each panel, and what it is called
+    # contents and titles of panels
     panels = [([actor(mesh), edges(mesh)], [title(f"mesh: {mesh.GetNumberOfPolys()} facets")])]
     cut = [actor(half(inner, plane), BLUE), actor(half(outer, plane), RED, 0.3)]
     cut += [outline(inner, plane, BLUE, 1.5), outline(outer, plane, RED, 1.5), outline(mesh, plane, BLACK, 1.5)]
@@ -252,12 +255,12 @@ def main(prefix, picture):
         camera.SetViewUp(up)
         renderers.append(renderer)
 
-    # the outer surface fills each panel, above the title
+    # The outer surface fills each panel above the title.
     extents = [in_view(outer, r.GetActiveCamera()).GetBounds() for r in renderers]
     width = 1.06 * max(b[1] - b[0] for b in extents)
     height = 1.06 * max(b[3] - b[2] for b in extents)
     rows = int(min(max(PANEL * height / width, 0.5 * PANEL), 1.3 * PANEL)) + TITLE
-    scale = max(width / PANEL, height / (rows - TITLE))        # of a pixel
+    scale = max(width / PANEL, height / (rows - TITLE))        # the size of a pixel
     window.SetSize(SAMPLES * PANEL * len(panels), SAMPLES * rows)
     for renderer, b in zip(renderers, extents):
         camera = renderer.GetActiveCamera()
@@ -269,7 +272,7 @@ def main(prefix, picture):
         camera.SetPosition([camera.GetPosition()[a] + shift[a] for a in range(3)])
         renderer.ResetCameraClippingRange()
 
-    # a magnifier, at the upper left of the cut
+    # a magnifier of the upper left of the cut
     loop = largest_loop(mesh, plane)
     right = [up[(a + 1) % 3] * view[(a + 2) % 3] - up[(a + 2) % 3] * view[(a + 1) % 3] for a in range(3)]
     place = max((loop.GetPoint(i) for i in range(loop.GetNumberOfPoints())),

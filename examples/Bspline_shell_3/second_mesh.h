@@ -1,4 +1,4 @@
-// What the examples of maps begin with: a mesh, its certified shell, and a second mesh in the shell.
+// Shared by the examples of maps: a mesh, its certified shell, and a second mesh in the shell.
 #ifndef SECOND_MESH_H
 #define SECOND_MESH_H
 
@@ -22,8 +22,8 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Certified_bspline_shell_3 Shell;
 
-// Vertices are moved along the integral curves, towards one threshold or the other; by less, if the mesh is not
-// certified then.
+// Moves vertices along the integral curves towards one of the thresholds. If the mesh is then not certified, they are
+// moved by half as much.
 inline bool move_in_shell(const Shell& shell, const Mesh& mesh, Mesh& moved)
 {
   const BS::Gradient_flow_3<Shell> flow(shell);
@@ -48,7 +48,7 @@ inline bool move_in_shell(const Shell& shell, const Mesh& mesh, Mesh& moved)
   return false;
 }
 
-// Reads a mesh, builds its shell and another mesh in it. Returns the exit code, if the program is to end.
+// Reads a mesh, and builds its shell and another mesh in it. Returns the exit code if the program has to end.
 inline std::optional<int> begin_example(int argc, char** argv, Mesh& mesh, Shell& shell, Mesh& moved)
 {
   std::string file;
@@ -63,7 +63,7 @@ inline std::optional<int> begin_example(int argc, char** argv, Mesh& mesh, Shell
   return move_in_shell(shell, mesh, moved) ? std::nullopt : std::optional<int>(EXIT_FAILURE);
 }
 
-// says what was not transferred, if anything
+// Returns whether all values were transferred, and prints a message otherwise.
 inline bool is_complete(const BS::Transfer_report& report)
 {
   if(!report)

@@ -1,5 +1,5 @@
-// The front door for files: reads polygons as they are, repairs what can be repaired, and writes a certified shell of
-// the mesh, closed virtually if it is open, or of a proxy around what is no mesh.
+// Writes a certified shell of any file: reads polygons without requirements, and repairs them if possible. The shell is
+// that of the mesh, virtually closed if it is open, or of a proxy if the polygons are not a mesh.
 #include "example_output.h"
 
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
@@ -34,7 +34,7 @@ const char* const usage =
   "the\n"
   "  other files are written; 5 not certified; 10 + the status (Status.h) if there is no shell.\n";
 
-// the polygons as a mesh, and what becomes of their points
+// Writes the polygons as a mesh, colored by the status of their points.
 bool write_soup(const Results& results, const BS::Soup_proxy_3& proxy, const BS::Soup_shares& shares)
 {
   Mesh soup = proxy.soup().mesh();
@@ -57,7 +57,7 @@ struct Options
   double thickness = 0.01, limit = std::numeric_limits<double>::infinity();
 };
 
-// Computes everything, and writes what there is. Returns the exit code.
+// Computes and writes all results, and returns the exit code.
 int run(const Options& options, const Results& results)
 {
   BS::Polygon_soup soup;

@@ -1,6 +1,6 @@
-// The whole chain: a file, the certified shell of its mesh or of a proxy, a simplified mesh in the shell, and colors
-// and a scalar at the vertices that are carried over along the integral curves. Both meshes are written with what they
-// carry, and the shell's bounding surfaces; render_shell.py draws them.
+// The complete pipeline: builds the certified shell of a file's mesh or of a proxy, and simplifies the mesh in it.
+// Colors and a scalar at the vertices are transferred along the integral curves. Writes both meshes with their
+// attributes, and the shell's bounding surfaces; render_shell.py draws them.
 #include "example_output.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
@@ -53,7 +53,7 @@ const char* const usage =
   "  files are written; 5 the shell is not certified; 6 the mesh is not simplified; 7 points are lost on the way, all\n"
   "  files are written; 10 + the status (Status.h) if the mesh is refused or the shell fails.\n";
 
-// Stripes around the point where the largest sum of coordinates is, and its distance.
+// Adds the distance from the vertex with the largest sum of coordinates, and stripes around this vertex.
 void add_attributes(Mesh& mesh)
 {
   auto distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance", 0).first;
@@ -82,7 +82,7 @@ void add_attributes(Mesh& mesh)
   }
 }
 
-// cuts facets into four, and leaves them where they are
+// Splits facets into four without changing the surface.
 struct Flat_mask
 {
   const Mesh* mesh;
@@ -99,15 +99,15 @@ struct Flat_mask
   }
 };
 
-// A mesh's attribute of this name, which is added if there is none.
+// Returns the attribute with this name, which is added if missing.
 template <typename Value>
 Mesh::Property_map<Mesh::Vertex_index, Value> attribute(Mesh& mesh, const std::string& name)
 {
   return mesh.add_property_map<Mesh::Vertex_index, Value>(name).first;
 }
 
-// Gives the vertices of the target the source's values where their curves meet it. Prints and returns how many get
-// none.
+// Gives the vertices of the target the source's values along their curves. Prints and returns the number of vertices
+// without a value.
 template <typename Value>
 std::size_t carry_over(const Map& map, Mesh& source, Mesh& target, const std::string& name)
 {
@@ -124,10 +124,10 @@ std::size_t carry_over(const Map& map, Mesh& source, Mesh& target, const std::st
 struct Round_trip
 {
   std::size_t points = 0, lost = 0;
-  double farthest = 0; // from where one started
+  double farthest = 0; // the largest distance from the start
 };
 
-// Takes vertices and centroids of the source to the target and back.
+// Maps vertices and centroids of the source to the target and back.
 template <typename Map_>
 void travel(const Map_& map, Round_trip& trip)
 {
@@ -157,7 +157,7 @@ struct Options
   double thickness = 0.01, seconds = std::numeric_limits<double>::infinity(), megabytes = 4000;
 };
 
-// Computes everything, and writes what there is. Returns the exit code.
+// Computes and writes all results, and returns the exit code.
 int run(const Options& options, const Results& results)
 {
   BS::Polygon_soup soup;
@@ -195,7 +195,7 @@ int run(const Options& options, const Results& results)
   if(!has_mesh || inner == CANNOT_WRITE || outer == CANNOT_WRITE) return CANNOT_WRITE;
 
   printer.show("simplification");
-  constexpr double least_seconds = 1e-3; // as limits are positive
+  constexpr double least_seconds = 1e-3; // limits are positive
   Mesh coarse = found.mesh();
   const double seconds_left = (std::max)(options.seconds - shell_seconds, least_seconds);
   const BS::Facet_count_stop_predicate stop(options.facets);
@@ -208,7 +208,7 @@ int run(const Options& options, const Results& results)
   }
   coarse.collect_garbage();
 
-  // what the mesh carries, to the vertices of the coarse mesh, and to many points of its facets
+  // Transfer attributes to the vertices of the coarse mesh, and to many points of its facets.
   timer.reset();
   Mesh detail = coarse;
   while(detail.number_of_faces() < 100000) CGAL::Subdivision_method_3::PTQ(detail, Flat_mask{ &detail }, 1);

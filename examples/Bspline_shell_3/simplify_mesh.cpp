@@ -1,6 +1,6 @@
-// Simplifies a mesh so far as its shell allows, or to a number of facets. The result cannot intersect itself, and the
-// map between it and the mesh before is one-to-one: both are proved. Vertices of the mesh before know the vertex that
-// they were collapsed into.
+// Simplifies a mesh as far as its shell allows, or to a given number of facets. Two properties are proved: the result
+// does not intersect itself, and the map between both meshes is one-to-one. Each vertex of the initial mesh gets the
+// vertex that it was collapsed into.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>

@@ -1,5 +1,5 @@
 // Simplifies a mesh with a vertex whose facets face no common direction, and maps it to the result and back. The shell
-// is that of a truncated mesh, but the map is one-to-one from the mesh as it is.
+// is built around a truncated mesh, but the map is one-to-one from the input mesh.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
@@ -52,7 +52,7 @@ int main(int argc, char** argv)
   }
   std::cout << "vertices return to within " << farthest << "\n";
 
-  // the mesh as it was certified, to look at
+  // the truncated mesh that was certified, for inspection
   Mesh truncated = mesh;
   if(shell.truncation()) shell.truncation()->apply(truncated, truncated.points());
   truncated.collect_garbage();

@@ -1,6 +1,6 @@
-// What is no surface, as it intersects itself, has gaps, or faces both ways, gets a clean proxy with a certified shell.
-// The proxy is simplified in it, and gets the parts and texture coordinates of the polygons; what it computes goes back
-// to them.
+// Builds a certified shell around a clean proxy of polygons that intersect themselves, have gaps, or face both ways.
+// The proxy is simplified in it, and gets the parts and texture coordinates of the polygons. Its results are
+// transferred back.
 #include "broken_models.h"
 #include "example_files.h"
 
@@ -19,7 +19,7 @@
 typedef BS::Soup_proxy_3::Mesh Mesh;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel::Vector_2 Vector_2;
 
-// the texture coordinates of a corner of the soup's mesh, which knows the polygons and points that it was made of
+// The texture coordinates of a corner of the soup's mesh, looked up by its polygon and point.
 struct Texture_of_corner
 {
   typedef Mesh::Halfedge_index key_type;
@@ -82,7 +82,7 @@ int main(int argc, char** argv)
             << corners.failures.size() << " without texture, " << corners.continued.size()
             << " with texture from where nothing is proved\n";
 
-  // and back: the height of the proxy, as seen from the polygons
+  // back to the polygons: the height of the proxy
   auto height = coarse.add_property_map<Mesh::Vertex_index, double>("v:height", 0).first;
   for(auto v : coarse.vertices()) height[v] = coarse.point(v).z();
   auto height_of = soup_mesh.add_property_map<Mesh::Vertex_index, double>("v:height", 0).first;

@@ -1,7 +1,7 @@
-// Tetrahedra that fill a closed mesh and have its triangles as their border: by TetGen, if HAVE_TETGEN is defined, or
-// by Gmsh, if HAVE_GMSH is.
+// Fills a closed mesh with tetrahedra whose border triangles are those of the mesh: by TetGen if HAVE_TETGEN is
+// defined, or by Gmsh if HAVE_GMSH is.
 //
-// Both are libraries of others, with licenses that hold for every program that is linked with them: TetGen is under the
+// The licenses of these third-party libraries apply to every program that is linked with them. TetGen is under the
 // AGPL, version 3 (Debian: libtet1.5-dev), Gmsh under the GPL, version 2 or later (Debian: libgmsh-dev).
 #ifndef TETRAHEDRALIZE_H
 #define TETRAHEDRALIZE_H
@@ -33,17 +33,17 @@ struct Tetrahedra
 {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
 
-  std::vector<Point> points;                      // first those of the mesh, in its order
-  std::vector<std::array<std::size_t, 4> > cells; // positively oriented; none if there was no result
-  std::string error;                              // why there was none, or why it does not conform to the mesh
+  std::vector<Point> points;                      // begin with those of the mesh, in its order
+  std::vector<std::array<std::size_t, 4> > cells; // positively oriented; empty after an error
+  std::string error;                              // the error, or why the border is not the mesh
 
   explicit operator bool() const { return error.empty(); }
 };
 
 typedef CGAL::Surface_mesh<Tetrahedra::Point> Surface;
 
-// Whether the facets on the border of the tetrahedra are the mesh's, one by one and with their orientation, and the
-// points are the mesh's, bit for bit. With cavities they are not: both generators fill them.
+// Returns whether the border facets of the tetrahedra are those of the mesh, with their orientation, and the points are
+// those of the mesh in every bit. For meshes with cavities, this is false: both generators fill cavities.
 inline bool conforms(const Tetrahedra& tetrahedra, const Surface& mesh)
 {
   typedef std::array<std::size_t, 3> Facet;
@@ -51,7 +51,8 @@ inline bool conforms(const Tetrahedra& tetrahedra, const Surface& mesh)
     std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
     return f;
   };
-  // a facet inside belongs to two tetrahedra, from which it is seen both ways; none is seen the same way twice
+  // An inner facet belongs to two tetrahedra, with opposite orientations. No facet may occur twice with the same
+  // orientation.
   std::set<Facet> border;
   for(const auto& [a, b, c, d] : tetrahedra.cells)
     for(const Facet& f : { Facet{ a, c, b }, Facet{ a, b, d }, Facet{ b, c, d }, Facet{ a, d, c } })
@@ -64,7 +65,7 @@ inline bool conforms(const Tetrahedra& tetrahedra, const Surface& mesh)
          && std::equal(mesh.points().begin(), mesh.points().end(), tetrahedra.points.begin());
 }
 
-// as an unstructured grid of VTK, in text, with a vector at each point
+// Writes an unstructured grid of VTK, as text, with a vector at each point.
 template <typename Vectors>
 bool write_VTK(const std::string& file, const Tetrahedra& tetrahedra, const Vectors& vectors, const std::string& name)
 {
@@ -83,7 +84,7 @@ bool write_VTK(const std::string& file, const Tetrahedra& tetrahedra, const Vect
   });
 }
 
-// what both generators do last
+// Orients the tetrahedra, and checks that they conform to the mesh.
 inline Tetrahedra checked(Tetrahedra tetrahedra, const Surface& mesh)
 {
   for(auto& [a, b, c, d] : tetrahedra.cells) {
@@ -102,7 +103,7 @@ inline Tetrahedra tetrahedralize_with_TetGen(const Surface& mesh)
   Tetrahedra result;
   tetgenio in, out;
   in.numberofpoints = int(mesh.number_of_vertices());
-  in.pointlist = new REAL[3 * mesh.number_of_vertices()]; // freed by TetGen, as all that follows
+  in.pointlist = new REAL[3 * mesh.number_of_vertices()]; // freed by TetGen, like all arrays below
   REAL* coordinate = in.pointlist;
   for(const Tetrahedra::Point& p : mesh.points())
     for(int i = 0; i < 3; ++i) *coordinate++ = p[i];
@@ -120,10 +121,10 @@ inline Tetrahedra tetrahedralize_with_TetGen(const Surface& mesh)
     ++facet;
   }
   try {
-    // this mesh, with no point added to its triangles; quality by radius over shortest edge; no output
+    // p: keep this mesh; Y: no points on its triangles; q: bound the ratio of radius to shortest edge; Q: no output
     std::string switches = "pYq1.4Q";
     tetrahedralize(switches.data(), &in, &out);
-  } catch(int code) { // that is all that it throws
+  } catch(int code) { // TetGen throws nothing else
     result.error = "TetGen failed with code " + std::to_string(code) + ".";
     return result;
   }
@@ -145,9 +146,9 @@ inline Tetrahedra tetrahedralize_with_Gmsh(const Surface& mesh)
   gmsh::initialize();
   try {
     gmsh::option::setNumber("General.Terminal", 0);
-    gmsh::option::setNumber("Mesh.Algorithm3D", 1); // Delaunay: the surface stays as it is
+    gmsh::option::setNumber("Mesh.Algorithm3D", 1); // Delaunay: keeps the surface
     gmsh::model::add("solid");
-    std::vector<std::size_t> nodes, corners; // numbers begin with one
+    std::vector<std::size_t> nodes, corners; // numbered from 1
     std::vector<double> coordinates;
     for(const Tetrahedra::Point& p : mesh.points()) {
       nodes.push_back(nodes.size() + 1);
@@ -155,7 +156,7 @@ inline Tetrahedra tetrahedralize_with_Gmsh(const Surface& mesh)
     }
     for(Surface::Face_index f : mesh.faces())
       for(Surface::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f))) corners.push_back(std::size_t(v) + 1);
-    const int surface = gmsh::model::addDiscreteEntity(2), triangle = 2, tetrahedron = 4; // types of elements
+    const int surface = gmsh::model::addDiscreteEntity(2), triangle = 2, tetrahedron = 4; // codes of Gmsh
     gmsh::model::mesh::addNodes(2, surface, nodes, coordinates);
     gmsh::model::mesh::addElementsByType(surface, triangle, {}, corners);
     gmsh::model::geo::addVolume({ gmsh::model::geo::addSurfaceLoop({ surface }) });

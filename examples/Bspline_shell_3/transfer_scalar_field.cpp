@@ -1,5 +1,5 @@
-// A scalar field and colors at the vertices of a mesh are transferred to another mesh in the same shell, which is
-// written with its colors.
+// Transfers a scalar field and colors at the vertices of a mesh to another mesh in the same shell, and writes that mesh
+// with its colors.
 #include "second_mesh.h"
 
 #include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
@@ -22,7 +22,7 @@ int main(int argc, char** argv)
     color[v] = std::sin(30 * height[v] / shell.report().unit) > 0 ? CGAL::IO::red() : CGAL::IO::white();
   }
 
-  // the map keeps what is needed for any number of transfers, both ways
+  // The map caches its search structures for any number of transfers, in both directions.
   const BS::Shell_map_3<Shell, Mesh> map(shell, mesh, moved);
   auto height_on_moved = moved.add_property_map<Mesh::Vertex_index, double>("v:height").first;
   auto color_on_moved = moved.add_property_map<Mesh::Vertex_index, CGAL::IO::Color>("v:color").first;
@@ -30,7 +30,7 @@ int main(int argc, char** argv)
      || !is_complete(BS::transfer_vertex_attribute(map, color, color_on_moved)))
     return EXIT_FAILURE;
 
-  // a coordinate changes by no more than points are moved, and those by no more than this, in the shell
+  // The error of a coordinate is at most the displacement of points, which is bounded by the shell.
   double largest = 0;
   for(Mesh::Vertex_index v : moved.vertices())
     largest = (std::max)(largest, std::abs(height_on_moved[v] - moved.point(v).z()));

@@ -1,5 +1,5 @@
-// Tangent vectors at the facets of a mesh are moved to another mesh in the same shell by the differential of the map,
-// and back again.
+// Transfers tangent vectors at the facets of a mesh to another mesh in the same shell, by the differential of the map,
+// and back.
 #include "second_mesh.h"
 
 #include <CGAL/Bspline_shell_3/Transfer/transfer_tangent_vectors.h>
@@ -17,7 +17,7 @@ int main(int argc, char** argv)
   Shell shell;
   if(const auto code = begin_example(argc, argv, mesh, shell, moved)) return *code;
 
-  // a wind that blows along the x-axis, as it goes along the surface
+  // a wind along the x-axis, projected to the surface
   Vectors wind = mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:wind").first,
           back = mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:back").first,
           wind_on_moved = moved.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:wind").first;
@@ -35,8 +35,7 @@ int main(int argc, char** argv)
   for(Mesh::Face_index f : moved.faces())
     off_plane = (std::max)(off_plane,
                            std::abs(wind_on_moved[f] * CGAL::Polygon_mesh_processing::compute_face_normal(f, moved)));
-  // There and back is not exactly the identity: each facet has one vector, and its centroid is not mapped to that of
-  // another one.
+  // There and back is not exactly the identity: each facet has one vector, and centroids are not mapped to centroids.
   for(Mesh::Face_index f : mesh.faces()) change = (std::max)(change, std::sqrt((back[f] - wind[f]).squared_length()));
   std::cout << "the images are in the planes of their facets, up to " << off_plane
             << "\nthere and back again, vectors of length 1 and less change by up to " << change << std::endl;

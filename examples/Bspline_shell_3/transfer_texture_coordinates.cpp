@@ -1,5 +1,5 @@
-// Texture coordinates, which jump at seams, are transferred to another mesh in the same shell. Both meshes are written
-// with them, as OBJ files.
+// Transfers texture coordinates with seams to another mesh in the same shell. Writes both meshes with their texture
+// coordinates as OBJ files.
 #include "second_mesh.h"
 
 #include <CGAL/Bspline_shell_3/Transfer/transfer_corner_attribute.h>
@@ -9,7 +9,7 @@
 
 typedef Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> Texture_coordinates;
 
-// around the z-axis, from 0 to 1; facets that lie across the seam are on one side of it
+// Wraps a texture around the z-axis, from 0 to 1. Each facet that crosses the seam is on one side of it.
 void wrap_around_axis(const Mesh& mesh, Texture_coordinates uv)
 {
   for(Mesh::Face_index f : mesh.faces()) {
@@ -43,7 +43,7 @@ bool write(const char* name, const Mesh& mesh, Texture_coordinates uv)
   });
 }
 
-// the longest edge in the texture
+// Returns the longest edge in the texture.
 double longest_edge(const Mesh& mesh, Texture_coordinates uv)
 {
   double longest = 0;

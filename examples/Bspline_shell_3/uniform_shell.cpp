@@ -1,4 +1,4 @@
-// The shell of a mesh: its two levels, the field and its derivatives, and a point in it.
+// Builds the shell of a mesh, and evaluates its levels, the field and its derivatives, and a point in it.
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/bspline_shell_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

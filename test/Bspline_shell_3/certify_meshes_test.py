@@ -1,4 +1,4 @@
-"""certify_meshes says one JSON object a line for every file, whatever is wrong with it, and goes on to the next.
+"""Checks that certify_meshes prints one JSON object per line for every file, and continues after problems.
 
 Usage: certify_meshes_test.py CERTIFY_MESHES MESHES     (MESHES: the folder of CGAL's meshes)
 """
@@ -39,10 +39,10 @@ with tempfile.TemporaryDirectory() as folder:
         assert line["certificate"]["containment"] == "proved"
         proved = all(value == "proved" for value in line["certificate"].values())
         assert (line["status"] == "certified") == proved
-        assert proved or line["places"]                 # what is not proved names its place
+        assert proved or line["places"]                 # unproved claims have places
     assert {"eight.shell", "eight.shell.txt", "eight.mesh.off", "eight.certificate.txt"} <= set(os.listdir(folder))
 
-    # cells are refined unless told otherwise, and the files of such shells are written, too
+    # By default, cells are refined, and the files of such shells are written.
     for name in os.listdir(folder):
         if name.startswith("eight."):
             os.remove(os.path.join(folder, name))
@@ -50,14 +50,15 @@ with tempfile.TemporaryDirectory() as folder:
     assert refined["status"] == "certified" and refined["rounds"] > 0, refined
     assert {"eight.shell", "eight.shell.txt", "eight.mesh.off", "eight.certificate.txt"} <= set(os.listdir(folder))
 
-    # what is no mesh gets a proxy, unless none is wanted
+    # If the polygons are not a mesh, they get a proxy, unless it is disabled.
     for options, status in ([], "certified"), (["--no-proxy"], "refused"):
         bull, = run(os.path.join(meshes, "bull.off"), *options)
         assert bull["status"] == status, bull
         if not options:
             assert bull["kind"] == "proxy" and bull["proxy"]["carried"] > 0.9 and "intersects itself" in bull["proxy"]["because"], bull
 
-    # a plate that is much thinner than the cells that a limit of memory allows: the shell is around it, and thicker than asked, or there is none
+    # A plate is much thinner than the cells that the memory limit permits. The shell is thicker than requested, or
+    # there is none.
     plate = os.path.join(folder, "plate.off")
     with open(plate, "w") as file:
         file.write("OFF\n8 6 0\n" + "".join("%g %g %g\n" % (x, y, z) for z in (0, 0.01) for y in (0, 1) for x in (0, 1))
@@ -68,7 +69,7 @@ with tempfile.TemporaryDirectory() as folder:
         assert "limit" in thin["reason"] and thin["certificate"]["containment"] == "proved", thin
         assert thin["eps1"] < thin["eps2"] and thin["thickness"] > 0.001, thin
 
-    # limits end one mesh, not the run
+    # Limits end one mesh, not the run.
     late, after = run(os.path.join(meshes, "elephant.off"), opened, "--gamma", "400", "--max-seconds", "1")
     assert late["status"] == "refused" and "time" in late["reason"], late
     assert after["status"] == "refused"

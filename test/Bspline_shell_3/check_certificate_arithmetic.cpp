@@ -1,5 +1,5 @@
-// check_certificate/interval.h: an interval contains what exact arithmetic gives for any two numbers of its operands,
-// also where rounding to nearest leaves it out. check_certificate/polynomials.h: so do coefficients and ranges of
+// check_certificate/interval.h: intervals contain the exact results for all numbers of their operands, even where
+// rounding to nearest would exclude them. check_certificate/polynomials.h: so do coefficients and ranges of
 // polynomials.
 #include "interval.h"
 #include "polynomials.h"
@@ -20,7 +20,7 @@ bool contains(const Interval& i, const Rational& r)
   return Rational(i.lo) <= r && r <= Rational(i.hi);
 }
 
-// of all signs, some of them single numbers, with sizes far apart
+// Returns intervals of all signs and very different sizes; some are single numbers.
 std::vector<Interval> intervals()
 {
   std::mt19937_64 random(1);
@@ -39,7 +39,7 @@ std::vector<Interval> intervals()
 
 typedef std::array<Rational, 3> Point;
 
-// the weights of the four coefficients along an axis, or of those of the derivative
+// Returns the weights of the four coefficients along an axis, or those of the derivative.
 std::array<Rational, 4> weights(const Rational& t, bool derived)
 {
   const Rational s = 1 - t;
@@ -47,7 +47,8 @@ std::array<Rational, 4> weights(const Rational& t, bool derived)
   return { s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t };
 }
 
-// of the lower ends of coefficients, derived along an axis if that is not three
+// Returns the value of the lower ends of coefficients. If `derived` is less than three, it is the derivative along that
+// axis.
 Rational value(const Coefficients& b, const Point& t, int derived = 3)
 {
   std::array<std::array<Rational, 4>, 3> w;
@@ -59,7 +60,7 @@ Rational value(const Coefficients& b, const Point& t, int derived = 3)
 
 bool encloses(const Coefficients& b, const Point& t, const Rational& exact)
 {
-  // the ends of the coefficients, weighted: weights are not negative in the cube
+  // Weights are not negative in the cube, so the ends of coefficients give the ends of values.
   std::array<std::array<Rational, 4>, 3> w;
   for(int a = 0; a < 3; ++a) w[a] = weights(t[a], false);
   Rational low = 0, high = 0;
@@ -214,7 +215,7 @@ TEST_CASE("polynomials of the checker: neighboring cells' coefficients agree on 
   const Coefficients left = coefficients(0, false), right = coefficients(1, false);
   std::size_t wrong = 0;
   for(int n = 0; n < 64; n += 4) wrong += left[n + 3].lo > right[n].hi || right[n].lo > left[n + 3].hi;
-  // the spline's points are the cells' corners: the first cell begins at the second of them
+  // Points of the spline are corners of cells; the first cell begins at the second one.
   const Coefficients line = coefficients(0, true);
   for(int n = 0; n < 64; ++n) wrong += !contains(line[n], Rational(1) + Rational(n % 4) / 3);
   CHECK(wrong == 0);

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""Whether check_certificate accepts a certificate and refuses it when one thing in its files is changed.
+"""Checks that check_certificate accepts certificates, and refuses them if one thing in their files is changed.
 
    check_certificate_test.py CHECKER [PREFIX]
    check_certificate_test.py --apply PREFIX...
 
-PREFIX.shell.txt, PREFIX.mesh.off and PREFIX.certificate.txt are of a small mesh, of one component or of several. Changes that
-only make sense for some kinds of shells and meshes are tried on these. Where not all claims are proved, those that are not must
-not be accepted, whatever the witnesses are changed to. If there is PREFIX.user.off, it is the mesh that the shell truncates, and the checker gets it, too.
-Without PREFIX, shells that are made here are tried. Exit code 0 if all went as it should. With --apply: whether each change makes sense for some of the files.
+PREFIX.shell.txt, PREFIX.mesh.off and PREFIX.certificate.txt belong to a small mesh of one or several components. Some
+changes apply only to some kinds of shells and meshes. Claims that are not proved must not be accepted, whatever the
+witnesses are changed to. If there is PREFIX.user.off, it is the mesh that the shell truncates, and is passed to the
+checker. Without PREFIX, generated shells are tested. The exit code is 0 if all tests pass. With --apply, it is 0 if
+each change applies to some of the files.
 """
 import itertools
 import math
@@ -39,7 +40,7 @@ def text(lines):
 
 
 class Files:
-    """The files, in parts that a test changes; `update` tells which checksums follow the change. The user's mesh is one of them where there is one."""
+    """The files as parts that a test can change; `update_...()` recomputes checksums. The user's mesh is optional."""
 
     def __init__(self, prefix):
         self.shell, self.shell_sum = self.read(prefix + ".shell.txt")
@@ -49,7 +50,7 @@ class Files:
 
     @classmethod
     def of(cls, shell, certificate, points, facets):
-        """from lines, without checksums, and lists"""
+        """Creates files from lines without checksums, and lists."""
         files = cls.__new__(cls)
         files.shell, files.certificate, files.points, files.facets, files.user = shell, certificate, points, facets, None
         files.update_shell()
@@ -97,7 +98,7 @@ class Files:
         self.certificate_sum = "checksum " + crc64(text(self.certificate).encode())
 
     def section(self, lines, name):
-        """number of the line that begins with the name, and of those that it counts, if it does"""
+        """Returns the number of the line that begins with the name, and its count, or 0 if there is none."""
         line = next(i for i, l in enumerate(lines) if l.startswith(name + " "))
         count = lines[line].split()[1]
         return line, int(count) if count.isdigit() else 0
@@ -108,7 +109,7 @@ class Files:
         lines[line] = " ".join(words)
 
     def leaf_at(self, point):
-        """words of the line of a leaf that contains a point"""
+        """Returns the words of the line of a leaf that contains a point."""
         field = self.shell[4].split()
         origin, spacing = [float(x) for x in field[2:5]], float(field[5])
         line, count = self.section(self.shell, "leaves")
@@ -120,7 +121,7 @@ class Files:
         raise AssertionError("no leaf at the point")
 
     def function_at(self, point):
-        """line of a function that acts on the leaf at a point, one in the middle of those that do"""
+        """Returns the line of a function that acts on the leaf at a point, preferably a central one."""
         words = self.leaf_at(point)
         line, count = self.section(self.shell, "functions")
         lines = {tuple(l.split()[:4]): line + 1 + i for i, l in enumerate(self.shell[line + 1:line + 1 + count])}
@@ -131,11 +132,11 @@ class Files:
         raise AssertionError("no function acts on the leaf")
 
     def some_vertex(self):
-        """that farthest in a direction in which what is tried at a vertex can be seen"""
+        """Returns the farthest vertex in a direction in which changes at a vertex have an effect."""
         return max(self.points, key=lambda p: sum(x * d for x, d in zip(p, (0, 0.5, 0.9))))
 
     def claims(self):
-        """what the checker says if it accepts the certificate"""
+        """Returns the checker's output if it accepts the certificate."""
         verdicts = self.certificate[3].split()[1:]
         claims = ["P%d" % (i + 1) for i in range(5) if verdicts[i] == "proved"]
         return " ".join(["certified:"] + claims + ["T"] * self.is_truncated() + ["A"] * bool(self.user)) + "\n"
@@ -150,7 +151,7 @@ class Files:
         return self.section(self.certificate, "seeds")[1]
 
     def component_of_vertices(self):
-        """by seeds, that is in the order in which components are numbered"""
+        """Returns the component of each vertex, in the order of seeds."""
         parent = list(range(len(self.points)))
 
         def root(v):
@@ -166,7 +167,7 @@ class Files:
         return [number[root(v)] for v in range(len(self.points))]
 
     def cubes(self):
-        """least corner and edge of each box, by its line"""
+        """Returns a map from each box's line to its least corner and edge."""
         field = self.shell[4].split()
         origin, spacing = [float(x) for x in field[2:5]], float(field[5])
         first = self.section(self.shell, "leaves")[0] + 1
@@ -182,24 +183,24 @@ class Files:
         return self.certificate[line].split()[5]
 
     def boxes_at(self, points):
-        """for each point, lines of the cover's boxes that contain it"""
+        """Returns, for each point, the lines of cover boxes that contain it."""
         cover = [(i, low, h) for i, (low, h) in self.cubes().items() if self.kind(i) in "gbau"]
         return [[i for i, low, h in cover if low[0] <= p[0] <= low[0] + h and all(low[a] <= p[a] <= low[a] + h for a in (1, 2))]
                 for p in points]
 
     def box_on_mesh(self):
-        """line of a box of the cover that contains a vertex"""
+        """Returns the line of a cover box that contains a vertex."""
         return self.boxes_at([self.some_vertex()])[0][0]
 
     def ends_of_cover(self):
-        """where the first path enters the cover, and where it leaves it: a point and the line of a box there"""
+        """Returns where the first path enters and leaves the cover, each as a point and the line of a box there."""
         words = [float(x) for x in self.certificate[self.section(self.certificate, "paths")[0] + 1].split()]
         points = [[words[2 + a] + t / 64 * (words[5 + a] - words[2 + a]) for a in range(3)] for t in range(65)]
         met = [(p, lines[0]) for p, lines in zip(points, self.boxes_at(points)) if lines]
         return met[0], met[-1]
 
     def excluded_next_to_cover(self):
-        """line of an excluded box that touches one of the cover"""
+        """Returns the line of an excluded box that touches a cover box."""
         cubes = self.cubes()
         low, h = cubes[self.ends_of_cover()[1][1]]
         return next(i for i, (l, k) in cubes.items() if self.kind(i) == "x"
@@ -226,7 +227,7 @@ class Files:
 
 
 class Truncation:
-    """what replaces the tips of the user's mesh: the section of a shell's file that begins with this word"""
+    """The truncation of the user's mesh: the last section of a shell file."""
 
     def __init__(self, shell):
         rows = ([float(w) if "." in w or "e" in w else int(w) for w in l.split()] for l in shell[shell.index("truncation") + 1:])
@@ -243,7 +244,7 @@ class Truncation:
             self.discs.append(Disc(center, take(rim), take(triangles)))
 
     def corners(self):
-        """how many points are vertices of the user's mesh"""
+        """Returns the number of points that are vertices of the user's mesh."""
         return len(self.points) - len(self.planar)
 
     def lines(self):
@@ -254,7 +255,7 @@ class Truncation:
         return ["truncation"] + [" ".join("%d" % x if isinstance(x, int) else "%.17g" % x for x in row) for row in rows]
 
     def ear(self):
-        """a triangle of the first disc with three neighbors of its rim, the second one in the middle"""
+        """Returns a triangle of the first disc with three consecutive points of its rim, and these points."""
         rim = [r[0] for r in self.discs[0].rim]
         ears = [rim[i - 2:] + rim[:i - 2] for i in range(len(rim))]
         return next((t, e[:3]) for t in self.discs[0].triangles for e in ears if sorted(t) == sorted(e[:3]))
@@ -266,7 +267,7 @@ class Disc:
 
 
 def set_word(n, new):
-    """the change of a line's word; new is a text or a function of a number"""
+    """Returns a function that changes a word of a line; `new` is text, or a function of a number."""
     def change(words):
         words[n] = new if isinstance(new, str) else "%.17g" % new(float(words[n]))
     return change
@@ -276,13 +277,16 @@ TESTS = []
 
 
 def test(code, sentence, update="c", applies=lambda f: True):
-    """registers a change, the exit code and a part of the sentence that it should lead to, the checksums that follow, and whether
-    it applies to some files whose claims are all proved"""
+    """Registers a change with its expected result.
+
+    `code` is the exit code, `sentence` a part of the output, and `update` the checksums to recompute. The change is
+    made to files whose claims are all proved and to which it `applies`.
+    """
     return any_test(code, sentence, update, lambda f: f.are_all_proved() and applies(f))
 
 
 def any_test(code, sentence, update, applies):
-    """the same for files of which this need not be so"""
+    """The same for files with unproved claims."""
     def register(function):
         TESTS.append((function, code, sentence, update, applies))
         return function
@@ -298,7 +302,7 @@ def certificate_line(section, offset, change):
 
 
 def box(kind, change):
-    """of the first box that is not of the cover, or of a box of the cover on the mesh"""
+    """Changes the first box of a kind outside the cover, or a cover box on the mesh."""
     return lambda f: f.words(f.certificate, f.box_on_mesh() if kind == "g" else f.first_box(kind), change)
 
 
@@ -312,7 +316,7 @@ def add(name, function, *rest):
 
 
 def used_leaf(f):
-    """number of a leaf with a cover box"""
+    """Returns the number of a leaf with a cover box."""
     return int(f.certificate[f.box_on_mesh()].split()[0])
 
 
@@ -324,7 +328,7 @@ add("P3 to P5 without P1", lambda f: f.certificate.__setitem__(3, "verdicts unde
 
 # the shell
 def change_at_mesh(word, shift):
-    """moves a number of a function near a vertex, by a part of the unit"""
+    """Adds a multiple of the unit to a number of a function near a vertex."""
     return lambda f: f.words(f.shell, f.function_at(f.some_vertex()), set_word(word, lambda x: x + shift * float(f.shell[1].split()[1])))
 
 
@@ -361,7 +365,7 @@ def levels(name, change, *rest):
 
 
 def tight_levels(name, change, *rest):
-    """those of a shell that was built for its mesh, and knows ranges of its facets"""
+    """Changes the levels of a shell that was built for its mesh, and has ranges of facets."""
     add(name, lambda f: shell_line("levels", 0, change)(f), *rest,
         lambda f: f.shell[2].startswith("levels") and f.section(f.shell, "facet_ranges")[1] > 0)
 
@@ -386,7 +390,7 @@ def all_thresholds(word, factor):
     return change
 
 
-# On leaves of several sizes, the vertex may be beyond the function.
+# On leaves of different sizes, the vertex may be beyond the function.
 for name, word, shift in (("inner threshold raised at a vertex", 5, 0.5), ("outer threshold lowered at a vertex", 6, -0.5)):
     thresholds(name, change_at_mesh(word, shift), 1, lambda f: "P" if f.is_truncated() else "P1", "sc")
 thresholds("outer threshold raised at a vertex", change_at_mesh(6, 0.5), 1, "P3", "sc")
@@ -413,7 +417,7 @@ def leaf_lines(f):
 
 
 def overlapping_leaf(f):
-    """a leaf, and an eighth of it"""
+    """Adds a leaf that is an octant of another leaf."""
     coarse = leaf_lines(f)[0]
     fine = [int(coarse[0]) + 1] + [2 * int(i) for i in coarse[1:4]]
     line, count = f.section(f.shell, "leaves")
@@ -427,7 +431,7 @@ def order(leaf):
 
 
 def function_on_coarser_leaf(f):
-    """one with a coefficient of its own, where it should depend on the level above"""
+    """Adds a coefficient of a function that should depend on the level above."""
     leaves = {tuple(int(i) for i in words[:4]) for words in leaf_lines(f)}
     line, count = f.section(f.shell, "functions")
     listed = {tuple(int(i) for i in l.split()[:4]) for l in f.shell[line + 1:line + 1 + count]}
@@ -471,7 +475,7 @@ def move_last_point(f):
 
 
 def double_mesh(f):
-    """the mesh twice, at the same place; the certificate says so"""
+    """Adds a copy of the mesh at the same place, and adapts the certificate."""
     v, n, components = len(f.points), len(f.facets), f.components()
     f.points += [list(p) for p in f.points]
     f.facets += [[i + v for i in t] for t in f.facets]
@@ -540,7 +544,7 @@ def negate_every(step):
 
 
 def tangential(words):
-    """a direction at right angles to another one"""
+    """Replaces a direction by an orthogonal one."""
     d = [float(x) for x in words[6:9]]
     least = min(range(3), key=lambda a: abs(d[a]))
     other, third = (least + 1) % 3, (least + 2) % 3
@@ -555,12 +559,12 @@ add("excluded box without a claim",
 
 
 def leaf_at_end_of_path(f):
-    """number of the leaf in which the first path leaves the cover"""
+    """Returns the number of the leaf in which the first path leaves the cover."""
     return int(f.certificate[f.ends_of_cover()[1][1]].split()[0])
 
 
 def has_no_facet_at_end_of_path(f):
-    """whether the mesh does not need that leaf for P1, as far as boxes of facets tell"""
+    """Returns whether boxes of facets do not meet this leaf, so that P1 does not depend on it."""
     first = f.section(f.shell, "leaves")[0] + 1
     level, *place = (int(x) for x in f.shell[first + leaf_at_end_of_path(f)].split()[:4])
     words = f.shell[4].split()
@@ -585,7 +589,7 @@ add("all boxes of the cover excluded", lambda f: [f.certificate.__setitem__(i, "
 
 
 def critical_box(change):
-    """of the first box whose critical points lie beyond a threshold"""
+    """Changes the first box whose critical points are beyond a threshold."""
     return lambda f: f.words(f.certificate, next(i for i in f.boxes() if f.kind(i) in "ba"), change)
 
 
@@ -602,7 +606,7 @@ def with_center(kind):
 
 
 def move_center(words):
-    """from the middle of the box, so that the field falls towards the center below, and rises above, by more than it may"""
+    """Moves the center away from the middle of the box, so that the slope towards it is too large for a proof."""
     offset = [0.5 - float(x) for x in words[6:9]]
     size = max(abs(x) for x in offset)
     if size < 1e-3:
@@ -652,7 +656,7 @@ def several(name, change, code, sentence, update="c"):
 
 
 def swap_words(section, first, last):
-    """of the first two lines of a section"""
+    """Swaps words of the first two lines of a section."""
     def change(f):
         line = f.section(f.certificate, section)[0] + 1
         one, two = f.certificate[line].split(), f.certificate[line + 1].split()
@@ -662,7 +666,7 @@ def swap_words(section, first, last):
 
 
 def without_component(removed):
-    """the mesh without one of its components, and the certificate without its seed and its path"""
+    """Removes a component from the mesh, with its seed and its path in the certificate."""
     def change(f):
         component = f.component_of_vertices()
         kept = [v for v in range(len(f.points)) if component[v] != removed]
@@ -680,7 +684,7 @@ def without_component(removed):
 
 
 def component_onto_another(f):
-    """the first component where the second one is, and with its path, but a little larger or smaller"""
+    """Moves the first component and its path to the second one, slightly scaled."""
     component = f.component_of_vertices()
     one, two = [[v for v in range(len(f.points)) if component[v] == c] for c in (0, 1)]
     center = [sum(f.points[v][a] for v in two) / len(two) for a in range(3)]
@@ -704,7 +708,7 @@ def turn_component(f):
 
 
 def no_boxes_at_component(f):
-    """no box of a leaf that has a box of the cover at the last component"""
+    """Removes all boxes of the leaves with cover boxes at the last component."""
     component = f.component_of_vertices()
     at = f.boxes_at([p for p, c in zip(f.points, component) if c == f.components() - 1])
     leaves = {f.certificate[i].split()[0] for lines in at for i in lines}
@@ -728,9 +732,9 @@ several("component turned inside out", turn_component, 1, "P2", "mc")
 several("no boxes at a component", no_boxes_at_component, 1, "P3")
 
 
-# thresholds that vary, with a bump where the cover ends
+# varying thresholds, with a bump at an end of the cover
 def bump_at_end(word, height, end):
-    """a threshold moved away where a path enters the cover or leaves it: what was excluded there is so no longer"""
+    """Moves a threshold away where a path enters or leaves the cover, so that boxes there are no longer excluded."""
     def change(f):
         f.words(f.shell, f.function_at(f.ends_of_cover()[end][0]), set_word(word, lambda x: x + height * float(f.shell[1].split()[1])))
     return change
@@ -740,7 +744,7 @@ thresholds("inner threshold with a bump at an end of the cover", bump_at_end(5, 
 thresholds("outer threshold with a bump at an end of the cover", bump_at_end(6, 1, 1), 1, "P", "sc")
 
 
-# claims that are not proved, raised
+# unproved claims, raised
 def not_all(name, change, *rest):
     any_test(*rest)(named(name, change))
 
@@ -760,7 +764,7 @@ def is_unproved(n):
 
 
 def give_directions(f):
-    """to undecided boxes: the direction from the origin, along which the field rises"""
+    """Gives undecided boxes the direction from the origin, along which the field increases."""
     for i, (low, h) in f.cubes().items():
         words = f.certificate[i].split()
         if words[5] == "u":
@@ -796,12 +800,15 @@ T_AND_A, T_ONLY = "certified: P1 P2 P3 P4 P5 T A\n", "certified: P1 P2 P3 P4 P5 
 
 
 def no_claims(f):
-    """so that only what is said of the truncation and of the user's mesh can be wrong"""
+    """Removes all claims, so that only the truncation and the user's mesh can be wrong."""
     f.certificate[3] = "verdicts undecided undecided undecided undecided undecided"
 
 
 def truncation(name, change, code, sentence, update="sc"):
-    """`change` gets the files and the truncation. Where that is what is wrong, nothing is compared to the user's mesh."""
+    """Registers a change of the files and the truncation.
+
+    If the change is expected to be refused for another reason, there is no comparison with the user's mesh.
+    """
     def change_files(f):
         t = Truncation(f.shell)
         if code == 1:
@@ -817,7 +824,7 @@ def of_truncation(change):
 
 
 def scaled(t, p, factor):
-    """where a point is in the plane"""
+    """Scales the position of a point in the plane."""
     planar = t.planar[p - t.corners()]
     planar[:] = [factor * x for x in planar]
 
@@ -828,14 +835,14 @@ def set_cut(n, **numbers):
 
 
 def turn_rim_twice(t):
-    """a regular polygon becomes a star"""
+    """Turns a regular polygon into a star."""
     n = len(t.discs[0].rim)
     for i, (p, _) in enumerate(t.discs[0].rim):
         t.planar[p - t.corners()] = [math.cos(4 * math.pi * i / n), math.sin(4 * math.pi * i / n)]
 
 
 def cuts_on_common_edge(t):
-    """two cuts that are on one edge, around different vertices"""
+    """Returns two cuts on one edge, around different vertices."""
     return next((a, b) for a in t.cuts for b in t.cuts if a[:2] == b[1::-1] and a[2] == b[2] == NO_POINT)
 
 
@@ -850,7 +857,7 @@ def meet_each_other(t):
 
 
 def flip_edge(f, t):
-    """of the mesh, within the first disc"""
+    """Flips an edge of the mesh within the first disc."""
     points = [tuple(t.points[r[0]]) for r in t.discs[0].rim]
     inside = [g for g in f.facets if all(tuple(f.points[v]) in points for v in g)]
     for g in inside:
@@ -872,7 +879,7 @@ def move_in_mesh(f, t):
 
 
 def add_component(at):
-    """a tetrahedron far away, but for one of its corners"""
+    """Adds a tetrahedron that is far away, except for one of its corners."""
     def change(f, t):
         n = len(f.points)
         f.points += [list(at(t)), [9., 9., 9.], [9., 10., 9.], [9., 9., 10.]]
@@ -884,7 +891,7 @@ def add_component(at):
 
 
 def not_in_rim(t):
-    """a vertex that is not cut off"""
+    """Returns a vertex that is not cut off."""
     return next(p for p in range(t.corners()) if all(p != d.center for d in t.discs))
 
 
@@ -1001,7 +1008,7 @@ truncation("component elsewhere", add_component(lambda t: [10., 10., 10.]), 1, "
 truncation("vertices of the mesh that no facet has", lambda f, t: f.points.append(list(f.some_vertex())), 0, T_AND_A, "mc")
 
 
-# A second patch, elsewhere: vertices of both come first, then cuts of both.
+# A second patch at another place. Vertices of both patches come first, then cuts of both.
 def renumbered(t, point, facet):
     return ([[point(p) for p in c[:3]] + c[3:] for c in t.cuts], [[point(p) for p in f] for f in t.facets],
             [[point(p) for p in c[:3]] + [facet(c[3])] for c in t.cores],
@@ -1024,7 +1031,8 @@ truncation("patch that the mesh does not have, next to one of its points", lambd
     double(t), t.points.__setitem__(t.corners() - 1, list(t.points[t.corners() // 2 - 1]))), 1, "is where another one is")
 
 
-# A point within the first disc, and a cut within the first facet, where the truncation has none of these: the mesh is changed accordingly.
+# Adds a point within the first disc, and a cut within the first facet, to a truncation without such points. The mesh is
+# changed accordingly.
 def enriched(name, change, code, sentence):
     def change_all(f, t):
         before = t.cores + [c for d in t.discs for c in d.triangles]
@@ -1038,7 +1046,7 @@ def enriched(name, change, code, sentence):
 
 
 def enrich(t):
-    """numbers of the new points"""
+    """Adds the points, and returns their numbers."""
     assert len(t.planar) == len(t.cuts)
     d, corners, cut = t.discs[0], t.corners(), len(t.points)
     inner = cut + 1
@@ -1062,7 +1070,7 @@ def enrich(t):
 
 
 def replace_facets(f, removed, added):
-    """of the mesh, by coordinates"""
+    """Replaces facets of the mesh, given by coordinates."""
     removed = [sorted(c) for c in removed]
     f.facets = [g for g in f.facets if sorted(f.points[v] for v in g) not in removed]
     for c in added:
@@ -1099,7 +1107,7 @@ enriched("cut within a facet moved out of its angle, in the plane", set_planar(0
 
 # the user's mesh
 def user(name, change, code, sentence, update=""):
-    """where a shell has no closing: any mesh may then stand for the user's, and is what the certificate is about unless it was truncated"""
+    """Registers a change of the user's mesh. If the files have none, it is a copy of the certificate's mesh."""
     def change_files(f):
         f.user = f.user or ([list(p) for p in f.points], [list(t) for t in f.facets])
         change(f)
@@ -1113,7 +1121,7 @@ def reorder_user(f):
 
 
 def restore_tips(f, t):
-    """makes the certificate's mesh the one that was truncated"""
+    """Turns the certificate's mesh into the mesh before the truncation."""
     new = t.cores + [c for d in t.discs for c in d.triangles]
     replace_facets(f, [[t.points[p] for p in c[:3]] for c in new], [[t.points[p] for p in c] for c in t.facets])
 
@@ -1135,7 +1143,7 @@ truncation("the mesh as the user's", lambda f, t: setattr(f, "user", (f.points, 
 truncation("the user's mesh as the certificate's", lambda f, t: (restore_tips(f, t), no_claims(f)), 0, "certified: T(0/1) A\n", "mc")
 
 
-# An open mesh: the last facet, of the user's mesh, is taken for what closes it.
+# An open mesh: the last facet of the user's mesh is removed, and becomes the closing.
 def opened(name, change, code, sentence, facet=-1):
     def change_files(f):
         f.user = f.user or ([list(p) for p in f.points], [list(t) for t in f.facets])
@@ -1148,7 +1156,7 @@ def opened(name, change, code, sentence, facet=-1):
 
 
 def first_cut(f):
-    """number, in the user's mesh, of a facet that is cut"""
+    """Returns the number of a cut facet in the user's mesh."""
     t = Truncation(f.shell)
     return next(n for n, g in enumerate(f.user[1]) if sorted(f.user[0][v] for v in g) == sorted(t.points[p] for p in t.facets[0]))
 
@@ -1162,7 +1170,7 @@ opened("open mesh, not closed", lambda f, closing: closing.__setitem__(slice(0, 
 opened("open mesh, another facet missing", lambda f, closing: f.user[1].pop(0), 1, "A: ")
 opened("open mesh, closed by a point that does not exist", lambda f, closing: closing.__setitem__(-1, "0 1 3 0"), 2, "out of range")
 
-# the form
+# file format
 add("blank at the end of a line", lambda f: f.certificate.__setitem__(3, f.certificate[3] + " "), 2, "line 4")
 add("two blanks", lambda f: f.certificate.__setitem__(3, f.certificate[3].replace(" ", "  ", 1)), 2, "line 4")
 add("lines that end with \\r", lambda f: f.certificate.__setitem__(3, f.certificate[3] + "\r"), 2, "line 4")
@@ -1173,9 +1181,9 @@ add("empty certificate", lambda f: f.certificate.clear(), 2, "missing", "e")
 add("checksum in upper case", lambda f: setattr(f, "certificate_sum", "checksum " + f.certificate_sum[9:].upper()), 2, "checksum", "")
 
 
-# A shell made here: f = |x|^2, which the coefficients |p|^2 - h^2 at lattice points of any spacing h give, on large leaves at the
-# left and small ones at the right, around an octahedron. The thresholds are 0.3 and 2, and waves along some axes, the more steep the
-# higher they are.
+# A generated shell of f = |x|^2 around an octahedron, with large leaves on the left and small ones on the right. At
+# lattice points with spacing h, the coefficients are |p|^2 - h^2. The thresholds are 0.3 and 2, with waves along some
+# axes; their steepness increases with their height.
 def ball(inner_wave=0, outer_wave=0, axes=(1,), unit=1, path="0.27 0.28 0.28 0.97 0.95 0.98", outer=2, roots=5):
     inner, middle = 0.3, range(-roots, roots)
     leaves = [(0, i, j, k) for k in middle for j in middle for i in middle if i < 0]
@@ -1183,7 +1191,7 @@ def ball(inner_wave=0, outer_wave=0, axes=(1,), unit=1, path="0.27 0.28 0.28 0.9
     functions = []
     for level, size in ((1, 2 * roots), (0, roots)):
         h = 0.5 / 2**level
-        # on small leaves only; on large leaves
+        # on small leaves, or on large leaves
         along_x = range(2, size + 2) if level == 1 else range(-size - 1, 2)
         for k, j, i in itertools.product(range(-size - 1, size + 2), range(-size - 1, size + 2), along_x):
             wave = sum((-1)**(i, j, k)[a] for a in axes)
@@ -1225,7 +1233,7 @@ ACCEPTED, STEEP, AT_END = (0, "certified: P1 P2 P3 P4 P5"), (1, "more steeply"),
 WAVES = [({}, ACCEPTED), ({"outer_wave": 0.3}, ACCEPTED), ({"outer_wave": 1.2}, STEEP), ({"inner_wave": 0.02}, ACCEPTED),
          ({"inner_wave": 0.6}, STEEP), ({"outer_wave": 0.5}, ACCEPTED), ({"outer_wave": 0.5, "axes": (0, 1, 2)}, STEEP),
          ({"outer_wave": 0.3, "unit": 1e-170}, ACCEPTED), ({"outer_wave": 1.2, "unit": 1e-170}, STEEP)]
-# Leaves that end at 1.5 along each axis: outside of the shell, or in it
+# The domain ends at 1.5 along each axis, outside the shell or inside it.
 ENDS = [({"roots": 3}, ACCEPTED), ({"roots": 3, "outer": 2.2}, ACCEPTED), ({"roots": 3, "outer": 2.3}, AT_END),
         ({"roots": 3, "outer": 2.2, "outer_wave": 0.2}, AT_END)]
 THROUGH_EDGE, FROM_BEHIND_THE_CENTER = "0.375 0.375 0 1.125 1.125 0", "-0.125 -0.125 0.0625 1 0.875 0.9375"

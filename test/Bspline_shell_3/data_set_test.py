@@ -1,6 +1,6 @@
-"""The workflow for data sets makes what can be made, records why the rest cannot, and makes nothing twice. Skipped where there is no snakemake.
+"""Checks that the workflow for data sets processes all meshes once, and records failures. Requires snakemake.
 
-Usage: data_set_test.py SIMPLIFY_AND_TRANSFER MESHES DATA_SET   (MESHES: the folder of CGAL's meshes; DATA_SET: that of the workflow)
+Usage: data_set_test.py SIMPLIFY_AND_TRANSFER MESHES DATA_SET   (MESHES: CGAL's meshes; DATA_SET: the workflow)
 """
 import csv
 import json
@@ -20,7 +20,7 @@ if subprocess.run(["/usr/bin/python3", "-c", "import matplotlib"], capture_outpu
     print("Skipped: matplotlib is not installed.")
     sys.exit(77)
 
-# What a program may do. DIE takes the job with it.
+# Possible misbehavior of a program; "die" also kills the job.
 NASTY = """#!/usr/bin/python3
 import os, sys
 what = os.path.basename(sys.argv[1])
@@ -83,7 +83,7 @@ with tempfile.TemporaryDirectory() as folder:
     assert all(f"meshes/{name}/index.html" in page and (good.results / "meshes" / name / "index.html").exists() for name in table)
     assert "http://" not in page.replace("http://www.w3.org", "")
 
-    # nothing anew; then only what has changed
+    # Nothing is processed again; then only changed files are.
     times = good.times()
     done = good.run()
     assert done.returncode == 0 and "Nothing to be done" in done.stderr + done.stdout and good.times() == times, done
@@ -97,7 +97,7 @@ with tempfile.TemporaryDirectory() as folder:
     os.remove(good.folder / "line.off")
     assert good.run().returncode == 0 and "line" not in good.table()
 
-    # limits and crashes are recorded, for a list in which a mesh is missing
+    # Limits and crashes are recorded for a list with a missing mesh.
     nasty = Path(folder, "nasty.py")
     nasty.write_text(NASTY)
     nasty.chmod(0o755)

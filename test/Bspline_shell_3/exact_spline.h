@@ -1,4 +1,4 @@
-// The oracle for fields: Eq. 3.1 and 3.3 of the paper, summed over the coefficients of the spline in exact arithmetic;
+// The oracle for fields: Eq. 3.1 and 3.3 of the paper, summed over the coefficients of the spline in exact arithmetic,
 // and Bernstein forms. It shares no code with the library's evaluation.
 #ifndef EXACT_SPLINE_H
 #define EXACT_SPLINE_H
@@ -17,7 +17,7 @@ Exact_point exact(const Point& p)
   return { Rational(p[0]), Rational(p[1]), Rational(p[2]) };
 }
 
-// Eq. 3.1 of the paper as it is printed, and its pieces differentiated by hand
+// Returns Eq. 3.1 of the paper as printed, or its pieces differentiated by hand.
 inline Rational bspline(const Rational& t, int order)
 {
   const Rational a = t < 0 ? Rational(-t) : t; // the function is even
@@ -30,7 +30,7 @@ inline Rational bspline(const Rational& t, int order)
   return a >= 1 ? Rational(2 - a) : Rational(3 * a - 2);
 }
 
-// position in units of the lattice: cell (i, j, k) begins at (i, j, k)
+// Returns the position in units of the lattice; cell (i, j, k) begins at (i, j, k).
 template <typename Field>
 Exact_point lattice_coordinates(const Field& field, const Exact_point& p)
 {
@@ -40,7 +40,7 @@ Exact_point lattice_coordinates(const Field& field, const Exact_point& p)
   return u;
 }
 
-// the spline, or its derivative of the given order along each axis, per user unit
+// Returns the spline, or its derivative of the given order along each axis, per user unit.
 template <typename Field>
 Rational exact_value(const Field& field, const Exact_point& p, const std::array<int, 3>& order = { 0, 0, 0 })
 {
@@ -48,7 +48,7 @@ Rational exact_value(const Field& field, const Exact_point& p, const std::array<
   int first[3];
   std::array<Rational, 6> b[3];
   for(int a = 0; a < 3; ++a) {
-    first[a] = int(std::floor(CGAL::to_double(u[a]))) - 2; // four do not vanish; one more each side for rounding
+    first[a] = int(std::floor(CGAL::to_double(u[a]))) - 2; // four do not vanish; one more on each side for rounding
     for(int n = 0; n < 6; ++n) b[a][n] = bspline(u[a] - (first[a] + n), order[a]);
   }
   Rational sum(0);
@@ -64,8 +64,8 @@ Rational exact_value(const Field& field, const Exact_point& p, const std::array<
   return sum;
 }
 
-// the polynomial with the given Bernstein coefficients over a cell, or a derivative of order at most two along each
-// axis, per unit of the cell
+// Returns the polynomial with the given Bernstein coefficients on a cell, or a derivative of order at most two along
+// each axis, per unit of the cell.
 inline Rational bernstein_value(const std::array<Rational, 64>& b, const Exact_point& t,
                                 const std::array<int, 3>& order = { 0, 0, 0 })
 {

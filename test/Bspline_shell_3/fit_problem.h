@@ -1,4 +1,4 @@
-// All that a fit needs, made from a mesh; and coefficients of polynomials.
+// The data of a fit, made from a mesh, and coefficients of polynomials.
 #ifndef FIT_PROBLEM_H
 #define FIT_PROBLEM_H
 
@@ -18,7 +18,7 @@ typedef CGAL::Bspline_shells::Fit_energy<Field> Energy;
 typedef CGAL::Bspline_shells::Energy_term Term;
 typedef CGAL::Bspline_shells::Energy_weights Energy_weights;
 
-// the weights of the paper, whatever the defaults are
+// Returns the weights of the paper, independent of the defaults.
 inline Energy_weights all_four_terms()
 {
   Energy_weights weights;
@@ -28,7 +28,7 @@ inline Energy_weights all_four_terms()
   return weights;
 }
 
-// and those that are not in the paper
+// Returns weights for all terms, including those that are not in the paper.
 inline Energy_weights all_terms_weighted()
 {
   Energy_weights weights = all_four_terms();
@@ -67,7 +67,7 @@ struct Fit_problem
     return Energy(field, samples, clipped, gamma(), weights);
   }
 
-  // coefficients, one for each function, of its lattice point
+  // Returns a coefficient for each basis function, a function of its lattice point.
   template <typename Function>
   Eigen::VectorXd coefficients(const Function& f) const
   {
@@ -80,13 +80,13 @@ struct Fit_problem
   }
 };
 
-// the coefficient at the lattice coordinate i of the function t^2
+// Returns the coefficient of t^2 at the lattice coordinate i.
 inline double square_coefficient(double i)
 {
   return i * i - 1 / 3.;
 }
 
-// numbers in [-1, 1], the same with any standard library
+// Numbers in [-1, 1] that are the same with any standard library.
 class Deterministic_numbers
 {
   std::uint64_t m_state;

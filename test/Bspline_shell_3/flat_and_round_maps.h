@@ -1,5 +1,5 @@
-// Maps between meshes that can be written down: between sheets, along vertical lines, and between spheres, along rays
-// from the origin.
+// Maps between meshes in closed form: between sheets along vertical lines, and between spheres along rays from the
+// origin.
 #ifndef FLAT_AND_ROUND_MAPS_H
 #define FLAT_AND_ROUND_MAPS_H
 
@@ -54,7 +54,7 @@ inline Vector_3 normal(const Mesh& mesh, Mesh::Face_index f)
   return CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
 }
 
-// about the z-axis, then about the x-axis
+// Turns a mesh about the z-axis, then about the x-axis.
 inline Mesh turned(Mesh mesh, double angle)
 {
   const double c = std::cos(angle), s = std::sin(angle);

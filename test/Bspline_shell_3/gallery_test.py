@@ -1,8 +1,8 @@
-"""Makes figures of the gallery without drawing: programs run, their output is parsed, and files to be drawn are there.
+"""Makes figures of the gallery without drawing: runs programs, parses their output, and checks that drawn files exist.
 
 Usage: gallery_test.py GALLERY MESHES PROGRAM...     (GALLERY: the folder of its scripts; MESHES: that of CGAL's meshes)
 
-Figures are made of which all programs are given.
+Makes the figures for which all programs are given.
 """
 import subprocess
 import sys
@@ -17,7 +17,7 @@ import figures      # noqa: E402  (needs the path)
 
 
 class Making:
-    """In place of the gallery's own, which draws as well."""
+    """Replaces the gallery's class, which also draws."""
 
     def __init__(self, folder):
         self.folder = Path(folder)
@@ -39,7 +39,7 @@ class Making:
         self.pictures.append(picture)
 
     def prefixes(self, data):
-        """The paths among what is to be drawn: beginnings of names of files that a program wrote."""
+        """Yields the paths in arguments of a drawing: prefixes of files that a program wrote."""
         if isinstance(data, (list, tuple)):
             for part in data:
                 yield from self.prefixes(part)

@@ -1,5 +1,6 @@
-# Installs the package to a new prefix, and configures, builds and runs the consumer project against it: header-only, and with the compiled library
-# if there is one, whose assertions are on while those of the project are off. The results must be the same in every bit.
+# Installs the package to a new prefix, then configures, builds and runs the consumer project against it: header-only,
+# and with the compiled library if there is one. The library has assertions, the project does not. Results must agree in
+# every bit.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE error)
   if(NOT result EQUAL 0)

@@ -1,4 +1,4 @@
-// Second meshes in a certified shell: vertices moved along the integral curves, by amounts that vary smoothly.
+// Second meshes in a certified shell: vertices are moved along the integral curves, by amounts that vary smoothly.
 #ifndef MESHES_IN_SHELL_H
 #define MESHES_IN_SHELL_H
 
@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-// each vertex by a share of its way to one of the thresholds, at most `amount`.
+// Moves each vertex towards one of the thresholds, by at most the share `amount` of the way.
 // \pre the mesh is in the shell
 template <typename Shell>
 Mesh moved_along_flow(const Shell& shell, Mesh mesh, double amount)
@@ -28,7 +28,7 @@ Mesh moved_along_flow(const Shell& shell, Mesh mesh, double amount)
   return mesh;
 }
 
-// by as much as the certificate allows: to be used with meshes whose shells are certified
+// Moves vertices as far as the certificate permits, for meshes whose shells are certified.
 template <typename Shell>
 Mesh certified_mesh_in_shell(const Shell& shell, const Mesh& mesh)
 {

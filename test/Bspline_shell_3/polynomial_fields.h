@@ -1,5 +1,4 @@
-// Fields that are polynomials, exactly up to rounding, on cells of one size or of several: their integral curves can be
-// written down.
+// Fields that are polynomials up to rounding, on cells of one size or several. Their integral curves have closed forms.
 #ifndef POLYNOMIAL_FIELDS_H
 #define POLYNOMIAL_FIELDS_H
 
@@ -22,7 +21,7 @@
 typedef CGAL::Bspline_shells::Uniform_bspline_field_3<> Uniform_field;
 typedef CGAL::Bspline_shells::Hierarchical_bspline_field_3<> Hierarchical_field;
 
-// a sum of monomials, of degree at most three in each variable
+// Polynomials are sums of monomials, of degree at most three in each variable.
 struct Monomial
 {
   double factor;
@@ -30,7 +29,7 @@ struct Monomial
 };
 typedef std::vector<Monomial> Polynomial;
 
-// Polynomials are functions of (p - center) / scale, and have values in units of the scale.
+// Polynomials are functions of (p - center) / scale; their values are in units of the scale.
 struct Frame
 {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
@@ -40,7 +39,7 @@ struct Frame
   Eigen::Vector3d from_user(const Eigen::Vector3d& p) const { return (p - center) / scale; }
 };
 
-// Coefficients by the polar form: that of x^n at the mean of three knots x - w, x, x + w.
+// Returns a coefficient of x^n by the polar form at the three knots x - w, x, x + w.
 inline double coefficient(int power, double x, double w)
 {
   switch(power) {
@@ -75,7 +74,7 @@ void set_polynomial(Field& field, const Polynomial& polynomial, const Frame& fra
   field.set_coefficients(x);
 }
 
-// eight cells along each side of the cube of side 2 around the center
+// Returns the cells of a cube of side 2 around the center, eight along each side.
 inline Root_cells cells_of_cube(const Frame& frame = Frame())
 {
   const Eigen::Vector3d low = frame.to_user({ -1, -1, -1 }), high = frame.to_user({ 1, 1, 1 });
@@ -93,7 +92,7 @@ inline Uniform_field uniform_field(const Polynomial& polynomial, const Frame& fr
   return field;
 }
 
-// on cells of three sizes
+// Returns a field on cells of three sizes.
 inline Hierarchical_field hierarchical_field(const Polynomial& polynomial, const Frame& frame = Frame(), int seed = 1)
 {
   CGAL::Random random(seed);
@@ -102,7 +101,7 @@ inline Hierarchical_field hierarchical_field(const Polynomial& polynomial, const
   return field;
 }
 
-// levels in units of the frame
+// Returns a shell; levels are in units of the frame.
 template <typename Field>
 CGAL::Bspline_shell_3<Field> shell_of(Field field, double inner, double outer, const Frame& frame = Frame())
 {

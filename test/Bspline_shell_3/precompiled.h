@@ -1,4 +1,4 @@
-// What nearly every test includes.
+// Headers that nearly every test includes.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/bspline_shell_3.h>

@@ -1,4 +1,4 @@
-// Cells of different sizes, at random places, and what they cover: for searches through all of them.
+// Cells of different sizes at random places, and the places that they cover, for searches through all of them.
 #ifndef RANDOM_HIERARCHIES_H
 #define RANDOM_HIERARCHIES_H
 
@@ -14,7 +14,7 @@ typedef CGAL::Bspline_shells::Cell_hierarchy_3 Hierarchy;
 typedef CGAL::Bspline_shells::Cell_complex_3 Root_cells;
 typedef CGAL::Bspline_shells::Lattice_3::Point Lattice_point;
 
-// about that share of the cells between two lattice points, both included
+// Returns roughly the given share of the cells between two lattice points, both included.
 inline Root_cells some_cells(CGAL::Random& random, const CGAL::Bspline_shells::Lattice_3& lattice,
                              const Lattice_point& first, const Lattice_point& last, double share = 1)
 {
@@ -27,7 +27,7 @@ inline Root_cells some_cells(CGAL::Random& random, const CGAL::Bspline_shells::L
   return Root_cells(lattice, keys);
 }
 
-// leaves of the finest level there is, so that levels grow
+// Returns random leaves of the finest existing level, so that levels grow.
 inline std::vector<Hierarchy::Index> random_leaves(CGAL::Random& random, const Hierarchy& cells, int number)
 {
   const Hierarchy::Index first = cells.first_leaf(cells.number_of_levels() - 1);
@@ -37,7 +37,7 @@ inline std::vector<Hierarchy::Index> random_leaves(CGAL::Random& random, const H
   return leaves;
 }
 
-// refined at random leaves, once for each level beyond the first, as far as there are levels
+// Refines random leaves once for each level beyond the first, as far as levels are available.
 inline Hierarchy random_hierarchy(CGAL::Random& random, const Root_cells& roots, int levels, int marked = 1)
 {
   Hierarchy cells(roots);
@@ -46,7 +46,7 @@ inline Hierarchy random_hierarchy(CGAL::Random& random, const Root_cells& roots,
   return cells;
 }
 
-// The cells of the finest level, each with the leaf that it is a part of.
+// The cells of the finest level, each with the leaf that contains it.
 class Smallest_cells
 {
 public:
@@ -75,7 +75,7 @@ public:
     }
   }
 
-  // a side of a cell of a level
+  // Returns the side of a cell of a level, in smallest cells.
   int size(int level) const { return 1 << (m_finest - level); }
   Lattice_point begin(const Hierarchy& cells, Hierarchy::Index c) const
   {
@@ -86,14 +86,14 @@ public:
   const Lattice_point& first() const { return m_first; }
   const Lattice_point& last() const { return m_last; }
 
-  // npos outside
+  // Returns the leaf at a smallest cell; `npos` outside the cells.
   Hierarchy::Index leaf(const Lattice_point& p) const
   {
     for(int a = 0; a < 3; ++a)
       if(p[a] < m_first[a] || p[a] > m_last[a]) return Hierarchy::npos;
     return m_leaf[index(p)];
   }
-  // one of a cell of any level; its least corner
+  // Returns the leaf at the least corner of a cell of any level.
   Hierarchy::Index leaf(int level, const Lattice_point& p) const
   {
     return leaf({ p[0] * size(level), p[1] * size(level), p[2] * size(level) });

@@ -1,4 +1,4 @@
-// Shells whose files are short, files as lines and bytes, and devices that fail.
+// Shells with short files, files as lines and bytes, and failing devices.
 #ifndef SHELL_FILES_H
 #define SHELL_FILES_H
 
@@ -66,7 +66,7 @@ inline Shell shell_on(const BS::Lattice_3& lattice, const std::vector<Cell_point
   return Shell(field, levels, cells, std::vector<BS::Level_range>(3, facet), report);
 }
 
-// two cells and 80 functions: short enough to try all that can happen to its file
+// Returns a shell of two cells and 80 functions. Its file is short enough for exhaustive tests.
 inline Shell small_shell()
 {
   CGAL::Random random(7);
@@ -74,14 +74,14 @@ inline Shell small_shell()
                   [&](std::size_t) { return random.get_double(-1, 1); });
 }
 
-// another one, which must not change when a file is refused
+// Returns another shell, which must not change when a file is refused.
 inline Shell other_shell()
 {
   const BS::Lattice_3 lattice(CGAL::Bbox_3(0, 0, 0, 1, 1, 1), 0.25);
   return shell_on(lattice, { { 0, 0, 0 } }, [](std::size_t n) { return double(n); });
 }
 
-// a row of root cells, of which the first three are split, and thresholds that vary
+// Returns a row of root cells, the first three of which are split, with varying thresholds.
 inline Varying_shell small_varying_shell()
 {
   typedef Varying_shell::Field Varying_field;
@@ -190,7 +190,7 @@ inline std::string contents(const std::string& name)
   return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
 }
 
-// a file that is gone when the test ends
+// A file that is removed at the end of the test.
 struct Temporary_file
 {
   explicit Temporary_file(const std::string& name) : name(name) {}
@@ -198,13 +198,13 @@ struct Temporary_file
   std::string name;
 };
 
-// CRC-64/XZ, bit by bit
+// Returns CRC-64/XZ, computed bit by bit.
 inline std::uint64_t slow_checksum(const std::string& bytes)
 {
   std::uint64_t crc = ~std::uint64_t(0);
   for(char c : bytes) {
     crc ^= static_cast<unsigned char>(c);
-    // polynomial, reflected
+    // the reflected polynomial
     for(int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) ? 0xC96C5795D7870F42ull : 0);
   }
   return ~crc;
@@ -236,11 +236,11 @@ T at(const std::string& bytes, std::size_t offset)
 {
   REQUIRE(offset + sizeof(T) <= bytes.size());
   T x;
-  std::memcpy(&x, &bytes[offset], sizeof(T)); // this machine is little-endian, as the files are
+  std::memcpy(&x, &bytes[offset], sizeof(T)); // assumes a little-endian machine, like the files
   return x;
 }
 
-// a text file as lines, without the last; and back, with a checksum that fits
+// The lines of a text file, without the last one. `text_of()` appends a matching checksum.
 typedef std::vector<std::string> Lines;
 
 inline Lines lines_of(const std::string& text)
@@ -265,7 +265,7 @@ inline std::vector<std::string> words_of(const std::string& line)
   return std::vector<std::string>(std::istream_iterator<std::string>(in), std::istream_iterator<std::string>());
 }
 
-// the line with another word at a position
+// Returns the line with another word at a position.
 inline std::string with_word(const std::string& line, std::size_t position, const std::string& word)
 {
   std::vector<std::string> words = words_of(line);
@@ -283,7 +283,7 @@ inline std::size_t line_that_begins_with(const Lines& lines, const std::string& 
   return 0;
 }
 
-// numbers with a comma and grouped digits
+// Numbers with a decimal comma and grouped digits.
 struct Foreign_numbers : std::numpunct<char>
 {
   char do_decimal_point() const override { return ','; }
@@ -291,7 +291,7 @@ struct Foreign_numbers : std::numpunct<char>
   std::string do_grouping() const override { return "\3"; }
 };
 
-// a disk that is full
+// A disk that becomes full.
 struct Full_disk : std::streambuf
 {
   explicit Full_disk(std::size_t capacity) : left(capacity) {}

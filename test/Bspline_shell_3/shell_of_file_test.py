@@ -1,4 +1,6 @@
-"""shell_of_file writes what it says, for files of all kinds and formats. Refusals name the file and harm no earlier result.
+"""Checks the files that shell_of_file writes, for input of several kinds and formats, and its refusals.
+
+A refusal names the file, and does not affect earlier results.
 
 Usage: shell_of_file_test.py SHELL_OF_FILE MESHES     (MESHES: the folder of CGAL's meshes)
 """
@@ -10,7 +12,7 @@ import tempfile
 from pathlib import Path
 
 program, meshes = sys.argv[1:]
-STATUS = 10      # and the position of the status in Status.h
+STATUS = 10      # plus the position of the status in Status.h
 WRONG_USAGE, CANNOT_WRITE = 2, 3
 
 
@@ -38,7 +40,7 @@ with tempfile.TemporaryDirectory() as folder:
         with open(path(stem + ".json")) as file:
             return json.load(file)
 
-    # STL: no triangle shares a point with another
+    # STL: triangles do not share points
     stl = "solid cube\n"
     for t in TRIANGLES:
         stl += "facet normal 0 0 0\nouter loop\n" + "".join("vertex %g %g %g\n" % CUBE[v] for v in t) + "endloop\nendfacet\n"
@@ -47,7 +49,7 @@ with tempfile.TemporaryDirectory() as folder:
     assert report("stl")["kind"] == "closed" and report("stl")["repairs"]["merged_points"] in (0, 28), report("stl")
     assert files("stl") == ["stl.json", "stl.shell", "stl_inner.ply", "stl_mesh.ply", "stl_outer.ply"], files("stl")
 
-    # OBJ: a tray, with one facet turned
+    # OBJ: a tray with one facet reversed
     facets = TRIANGLES[:2] + TRIANGLES[4:]
     facets[3] = facets[3][::-1]
     obj = "".join("v %g %g %g\n" % p for p in CUBE) + "".join("f %d %d %d\n" % tuple(v + 1 for v in t) for t in facets)
@@ -56,7 +58,7 @@ with tempfile.TemporaryDirectory() as folder:
     assert report("obj")["kind"] == "virtually closed" and report("obj")["repairs"]["turned_polygons"] == 1, report("obj")
     assert report("obj")["closing"]["holes"] == 1 and "turned round" in done.stdout, done
 
-    # OFF: it intersects itself
+    # OFF: self-intersecting
     done = run(os.path.join(meshes, "bull.off"), path("off"))
     assert done.returncode == 0, done
     result = report("off")
@@ -66,7 +68,7 @@ with tempfile.TemporaryDirectory() as folder:
     assert all(verdict == "proved" for verdict in result["claims"].values()), result
     assert "off_soup.ply" in files("off"), files("off")
 
-    # refused, each with a sentence that names the file and the line; results of an earlier run stay
+    # Each refusal prints a sentence with the file and the line; results of an earlier run are kept.
     def contents():
         return {name: (Path(folder) / name).read_bytes() for name in files("stl")}
 
@@ -105,7 +107,7 @@ with tempfile.TemporaryDirectory() as folder:
     assert contents() == before
     assert not [name for name in os.listdir(folder) if ".new" in name or ".part" in name], os.listdir(folder)
 
-    # a run that succeeds replaces all results of the earlier one
+    # A successful run replaces all results of the earlier one.
     write(path("stl_places.ply"), "")
     done = run(path("cube.stl"), path("stl"), "--thickness", "0.02")
     assert done.returncode == 0 and files("stl") == sorted(before) and contents() != before, (done, files("stl"))

@@ -1,15 +1,17 @@
 #!/usr/bin/env python3
-"""Fails if a header of the package includes one of a storey above its own, or of another folder's internal/.
+"""Fails if a header of the package includes one of a higher layer, or from internal/ of another folder.
 
    source_rules_test.py ROOT_OF_THE_PROJECT
 
-The storeys, from the ground up, are the folders of include/CGAL/Bspline_shell_3 in the order below. Tests include internal headers only
-where they test them; examples and benchmarks name nothing internal.
+The layers, from the lowest, are the folders of include/CGAL/Bspline_shell_3 in the order below. Tests include internal
+headers only to test them; examples and benchmarks do not use internal names.
 
-It also fails if a source of the package converts numbers to doubles by anything but rounded() of Support/coordinates.h:
-proofs hold for coordinates that are rounded in this way. And if a line of C++ has more columns than .clang-format allows,
-a test file is not compiled, or the title of a
-test has a semicolon, where CMake would cut it off: then no test would be run.
+It also fails
+- if a source of the package converts numbers to doubles other than by rounded() of Support/coordinates.h, which proofs
+  rely on;
+- if a line of C++ has more columns than .clang-format allows;
+- if a test file is not compiled;
+- if the title of a test has a semicolon: CMake would truncate it, and no test would be run.
 """
 import os
 import re
@@ -37,7 +39,7 @@ def includes(text):
 
 
 def storey(header):
-    """the number of its folder; headers beside the folder stand above all of them"""
+    """Returns the index of the header's folder; headers outside these folders are in the highest layer."""
     return STOREYS.index(header.split("/")[0]) if "/" in header else len(STOREYS)
 
 
@@ -46,12 +48,12 @@ def is_internal(header):
 
 
 def converts_numbers(text):
-    """whether it names one of CGAL's conversions to doubles"""
+    """Returns whether the text contains one of CGAL's conversions to doubles."""
     return re.search(r"\b(to_double|NT_converter|Cartesian_converter)\b", text)
 
 
 def circles(graph):
-    """headers that include themselves, by others"""
+    """Returns cycles of headers that include each other."""
     done, found = set(), []
 
     def visit(header, path):
@@ -71,7 +73,7 @@ def main(root):
     top = os.path.join(root, "include", PACKAGE)
     wrong = [f"{f} is no storey" for f in sorted(os.listdir(top)) if f not in STOREYS]
     if not wrong:
-        # NAME_impl.h belongs to NAME.h, which includes it unless its code is in the library
+        # NAME_impl.h belongs to NAME.h, which includes it unless its code is in the library.
         graph = {header: [other for other in includes(read(top, header)) if other != header.replace(".h", "_impl.h")]
                  for header in files(top)}
         for header, others in sorted(graph.items()):

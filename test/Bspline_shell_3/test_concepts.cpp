@@ -1,4 +1,4 @@
-// The concepts: models that offer nothing but what a concept asks for must do.
+// The concepts: models with nothing but the required members can be used.
 #include "fit_problem.h"
 #include "test_meshes.h"
 
@@ -40,7 +40,7 @@ namespace BS = CGAL::Bspline_shells;
 namespace P = CGAL::Bspline_shells::parameters;
 typedef CGAL::Bspline_shell_3<> Shell;
 
-// SignedDistanceOracle_3: neither copied nor assigned, with points and numbers that can do nothing else
+// SignedDistanceOracle_3: neither copyable nor assignable; points and numbers have only the required conversions
 class Distance_archetype
 {
 public:
@@ -145,7 +145,7 @@ public:
   int calls = 0;
 };
 
-// a value that can do nothing but be copied and, for seams, be compared
+// A value that can only be copied and, for seams, compared.
 class Value_archetype
 {
 public:
@@ -154,7 +154,7 @@ public:
   double m_value;
 };
 
-// AttributeInterpolation: is copied, and called
+// AttributeInterpolation: copied and called
 class Interpolation_archetype
 {
 public:
@@ -167,7 +167,7 @@ public:
   }
 };
 
-// what is done to values on their way: neither copied nor assigned
+// A mapping of transferred values: neither copied nor assigned.
 class Mapping_archetype
 {
 public:
@@ -180,7 +180,7 @@ public:
   }
 };
 
-// BsplineField_3: a uniform field of which nothing else is seen
+// BsplineField_3: a uniform field with only the required members
 class Field_archetype
 {
 protected:
@@ -256,7 +256,7 @@ struct Cell_visitor
   void operator()(Index) const {}
 };
 
-// what may be asked of any field
+// The interface of all fields.
 template <typename Field>
 void check_field_interface()
 {
@@ -318,7 +318,7 @@ TEST_CASE("SPDSolver: the archetype and the package's models find the same shell
   REQUIRE(shell);
   REQUIRE(other);
   CHECK(shell.report().fit.iterations == 1);
-  // bounds are refined to 1e-4 of their range
+  // Bounds are refined to 1e-4 of their range.
   CHECK(std::abs(shell.inner_level() - other.inner_level()) < 2e-4 * shell.thickness());
   CHECK(std::abs(shell.outer_level() - other.outer_level()) < 2e-4 * shell.thickness());
 #ifdef HAVE_CHOLMOD
@@ -444,7 +444,7 @@ TEST_CASE("FlowVisitor, AttributeInterpolation: the archetypes are told, and cal
   };
   check(BS::transfer_vertex_attribute(map, v, v2, P::interpolation(interpolation).visitor(std::ref(visitor))));
   for(auto x : mesh.vertices()) CHECK(v2[x].m_value == Approx(v[x].m_value).margin(1e-9));
-  // of the identity the differential is the identity
+  // The differential of the identity is the identity.
   check(BS::transfer_vertex_attribute(
     map, v, v2, P::interpolation(interpolation).mapping(std::cref(mapping)).visitor(std::ref(visitor))));
   for(auto x : mesh.vertices()) CHECK(v2[x].m_value == Approx(v[x].m_value).margin(1e-6));

@@ -1,4 +1,4 @@
-// Meshes for tests: generated ones with known answers, and those of libcgal-demo.
+// Meshes for tests: generated ones with known properties, and those of libcgal-demo.
 #ifndef TEST_MESHES_H
 #define TEST_MESHES_H
 
@@ -16,38 +16,39 @@ typedef Kernel::Point_3 Point_3;
 typedef Kernel::Vector_3 Vector_3;
 typedef CGAL::Surface_mesh<Point_3> Mesh;
 
-// one of libcgal-demo
+// Returns a mesh of libcgal-demo.
 Mesh demo_mesh(const std::string& name);
 
-// each triangle cut into four, by the middles of its edges
+// Splits each triangle into four at the midpoints of its edges.
 Mesh subdivided(const Mesh& mesh);
 
-// a regular icosahedron, subdivided and pushed to the sphere
+// Returns a regular icosahedron, subdivided and projected to the sphere.
 Mesh sphere(int subdivisions, double radius = 1, const Point_3& center = CGAL::ORIGIN);
 
-// an axis-parallel box, its six sides quadrangles or triangles
+// Returns an axis-parallel box, whose six sides are quadrangles or pairs of triangles.
 Mesh box(const Point_3& a, const Point_3& b, bool triangulated = true);
 
-// a torus around the z-axis
+// Returns a torus around the z-axis.
 Mesh torus(double major, double minor, int around, int across);
 
-// a pyramid over a regular polygon in the unit circle; its apex is the first vertex
+// Returns a pyramid over a regular polygon in the unit circle. Its apex is the first vertex.
 Mesh pyramid(int sides, double height);
 
-// the boundary of a union of unit cubes, by their least corners: no two of them may meet in an edge or a vertex only
+// Returns the boundary of a union of unit cubes, given by their least corners. No two cubes may meet only in an edge or
+// a vertex.
 Mesh cubes(const std::vector<std::array<int, 3> >& corners);
 
-// Cubes around (1, 1, 1), each beside the next one, and turning: the six quadrants there face no common direction. With
-// five of them, so do those at (1, 1, 2).
+// Returns the boundary of cubes around (1, 1, 1), each beside the previous one. The six squares at (1, 1, 1) face no
+// common direction. With five cubes, so do the ones at (1, 1, 2).
 Mesh screw(int number_of_cubes = 4);
 
-// two unit balls around the x-axis, their centers at -1.5 and 1.5, joined by a neck
+// Returns two unit balls around the x-axis, with centers at -1.5 and 1.5, joined by a neck.
 Mesh dumbbell(double neck_radius, int around = 16);
 
-// the same points in the same facets, in the same order
+// Returns whether both meshes have the same points and the same facets, in the same order.
 bool is_equal(const Mesh& a, const Mesh& b);
 
-// a rectangle at height z(x, y), facing upwards, cut at the given coordinates
+// Returns a rectangle at height z(x, y), facing upwards, cut at the given coordinates.
 template <typename Height>
 Mesh sheet(const std::vector<double>& xs, const std::vector<double>& ys, const Height& z)
 {

@@ -1,4 +1,4 @@
-// Truncations of meshes in parts, for tests to change.
+// Truncations of meshes as separate arrays, which tests can modify.
 #ifndef TRUNCATIONS_H
 #define TRUNCATIONS_H
 
@@ -32,8 +32,8 @@ struct Truncation_parts
   bool is_valid() const { return assembled().is_valid(); }
 };
 
-// Cuts off vertices a quarter of the way along their edges. A fan of triangles replaces each: from its first cut or,
-// with `has_point`, from the middle of its cuts.
+// Cuts off vertices at 1/4 of their edges, and replaces each by a fan of triangles: around its first cut or, with
+// `has_point`, around the centroid of its cuts.
 inline Truncation_parts truncation_at(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& centers, bool has_point)
 {
   typedef Truncation_parts::Index Index;

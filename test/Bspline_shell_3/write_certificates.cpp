@@ -1,16 +1,15 @@
-// Writes small certificates for check_certificate_test.py, of kinds that the meshes of libcgal-demo do not show:
+// Writes small certificates for check_certificate_test.py, of kinds that the meshes of libcgal-demo do not cover:
 //
 //   write_certificates DIRECTORY
 //
-//   varying, varying_hierarchy      thresholds that vary, on equal cells and on cells of three sizes
+//   varying, varying_hierarchy      varying thresholds, on equal cells and on cells of three sizes
 //   components                      three components: a sphere in another one, and a third one beside them
-//   simplified                      a mesh that was simplified in its shell, by the shell's own cover
+//   simplified                      a mesh simplified in its shell, with the shell's own cover
 //   steep_inner, steep_outer        a threshold with an overhang: P3 is not proved
 //   truncated                       a mesh with two neighboring vertices whose facets face no common direction; also
-//                                   the mesh before it was truncated: truncated.user.off
+//                                   the mesh before the truncation: truncated.user.off
 //
-// The exit code is 1 if a file cannot be written, or a claim is proved that is not expected to be, or the other way
-// round.
+// The exit code is 1 if a file cannot be written, or if a verdict differs from the expected one.
 #include "random_hierarchies.h"
 #include "test_meshes.h"
 
@@ -40,9 +39,9 @@ typedef BS::Uniform_bspline_field_3<> Uniform_field;
 typedef BS::Hierarchical_bspline_field_3<> Hierarchical_field;
 typedef std::function<double(const Point_3&)> Function;
 
-const double width = 0.25; // of the cells of level 0
+const double width = 0.25; // for cells of level 0
 
-// The cells, of a box around the origin, on which a function is small. Farther away, it does not matter.
+// Returns the cells in a box around the origin on which the function is small.
 Root_cells cells_near(const Function& f, double distance, const Lattice_point& size)
 {
   std::vector<std::uint64_t> keys;
@@ -55,7 +54,7 @@ Root_cells cells_near(const Function& f, double distance, const Lattice_point& s
   return Root_cells(BS::Lattice_3(CGAL::Bbox_3(-x, -y, -z, x, y, z), width), keys);
 }
 
-// its coefficients are a function's values
+// Sets each coefficient to the value of the function at its point.
 template <typename Field>
 Field spline(Field field, const Function& f)
 {
@@ -131,7 +130,7 @@ bool write_varying(
                mesh, not_proved);
 }
 
-// as it is built, its mesh being truncated where that must be
+// Writes the certificate of a mesh's shell, whose singular vertices are truncated.
 bool write_truncated(const std::string& prefix, const Mesh& mesh, std::size_t singular_vertices)
 {
   std::size_t singular = 0;
@@ -162,7 +161,7 @@ int main(int argc, char** argv)
   good = write_varying(directory + "varying_hierarchy", Hierarchical_field(random_hierarchy(random, roots, 3)),
                        sphere(1))
          && good;
-  const Uniform_field more(cells_near(around, 0.7, { 8, 8, 8 })); // the overhang does not reach their end
+  const Uniform_field more(cells_near(around, 0.7, { 8, 8, 8 })); // the overhang does not reach their border
   for(bool inner : { true, false }) {
     const Point_3 place = inner ? Point_3(0, 0.5, 0.5) : Point_3(0, 0.75, 1);
     const Function bump = [&](const Point_3&p) { return p == place ? inner ? -2. : 3. : 0.; },
@@ -172,7 +171,7 @@ int main(int argc, char** argv)
            && good;
   }
 
-  // what is not proved of meshes: two small spheres in the shell of a large one; and a vertex outside of it
+  // Claims that are not proved: two small spheres in the shell of a large one, and a vertex outside the shell.
   {
     const Uniform_field f = spline(equal, around);
     const BS::Constant_threshold inner(-0.2), outer(0.2);
@@ -189,8 +188,9 @@ int main(int argc, char** argv)
            && good;
   }
 
-  // around the critical point of a square of the distance, which is beyond a threshold by so little that its box is in
-  // the shell nearly as a whole; and the same, turned inside out. No path is found that begins so near to it.
+  // The critical point of a quadratic function is slightly beyond a threshold, so almost all of its box is in the
+  // shell. With the opposite sign, it is beyond the other threshold. No path is found, as none begins close enough to
+  // the critical point.
   for(double sign : { 1., -1. }) {
     const Point_3 center(0.03, 0.05, -0.04);
     const Function squared = [&](const Point_3& p) { return sign * (CGAL::squared_distance(p, center) - 1) / 2; };
@@ -202,7 +202,7 @@ int main(int argc, char** argv)
     good = write(directory + (sign > 0 ? "critical_below" : "critical_above"), f, sign > 0 ? beside : far,
                  sign > 0 ? far : beside, ball, { BS::Claim::DEGREE_ONE })
            && good;
-    // farther from it, and all claims are proved
+    // If the threshold is closer to the critical value, all claims are proved.
     Mesh aside = sphere(1);
     if(sign < 0) CGAL::Polygon_mesh_processing::reverse_face_orientations(aside);
     good = write(directory + (sign > 0 ? "ball" : "ball_inwards"), f, BS::Constant_threshold(sign > 0 ? -0.44 : -0.2),
@@ -210,7 +210,7 @@ int main(int argc, char** argv)
            && good;
   }
 
-  // the volume between two spheres, and a third one
+  // the volume between two spheres, and a third sphere
   const Point_3 place(-1, 0, 0), beside(1.5, 0, 0);
   const Function f = [&](const Point_3& p) {
     return (std::min)((std::max)(distance(p, place) - 1.25, 0.5 - distance(p, place)), distance(p, beside) - 0.6);
@@ -223,7 +223,7 @@ int main(int argc, char** argv)
   good = write(directory + "components", field, BS::Constant_threshold(-0.1), BS::Constant_threshold(0.15), mesh)
          && good;
 
-  // simplified in its shell
+  // a mesh simplified in its shell
   Mesh simplified = sphere(2);
   const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(
     simplified, BS::parameters::resolution(6).relative_thickness(0.1));

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# How long examples take to compile, alone, and how much memory the compiler takes, header-only and with the compiled library (which is not built
-# for it): one JSON line for each.
+# Measures compilation time and peak memory of examples, one at a time, header-only and with the compiled library (which
+# is not built). Prints one JSON line for each.
 #   bash benchmark/Bspline_shell_3/Performance/compile_time.sh [EXAMPLE ...]
-# CXX chooses the compiler, CXXFLAGS the optimization (-O2), CGAL_INCLUDE a folder with the headers of another CGAL.
+# Environment: CXX is the compiler, CXXFLAGS the optimization (-O2), CGAL_INCLUDE a folder with the headers of another
+# CGAL.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 . cmake/install_packages.sh

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# What the workflow for data sets costs beside its programs: both ways of making the same meshes, by turns, the workflow and `xargs -P`, which keeps no
-# records, times or tables. One JSON line a run, and one with the ratios of throughput, in wall-clock and in processor time; the latter does
-# not depend on what else the machine does.
+# Measures the overhead of the data set workflow: the same meshes are processed alternately by the workflow and by
+# `xargs -P`, which keeps no records, times or tables. Prints one JSON line per run, and one with the ratios of
+# throughput in wall-clock and processor time. The latter does not depend on other load of the machine.
 #   bash benchmark/Bspline_shell_3/Performance/data_set_benchmark.sh MESHES [NUMBER [TURNS [BATCH]]]
-# MESHES: a folder with OFF files, such as CGAL's, of which those of up to LARGEST bytes (50000) are taken. NUMBER (150) meshes: these, and the same turned
-# by random rotations. PICTURES=true draws them, too. PROCESSES (all) at a time. PROGRAM: simplify_and_transfer; by default that of data_set.sh.
+# MESHES: a folder with OFF files; files of up to LARGEST bytes (50000) are used, NUMBER (150) meshes: the files and
+# random rotations of them. PICTURES=true also draws them. PROCESSES (all) is the number of processes. PROGRAM:
+# simplify_and_transfer; by default that of data_set.sh.
 set -euo pipefail
 [ $# -ge 1 ] || { sed -n '2,8s/^# \?//p' "$0" >&2; exit 2; }
 meshes=$(realpath -- "$1") number=${2:-150} turns=${3:-2} batch=${4:-20}

@@ -1,6 +1,6 @@
-// The narrow band against the paper's dense grid, in one run: time, peak memory, unknowns, levels; and how the band
-// grows with the resolution. One JSON object a line; every shell is built in a process of its own, so that peaks are
-// its own.
+// Compares the narrow band with the paper's dense grid in one run: time, peak memory, unknowns, levels, and the growth
+// of the band with the resolution. Prints one JSON object per line. Every shell is built in a separate process, to get
+// separate peaks of memory.
 //
 //   fit_benchmark [--gamma G[,G...]] [--paper-energy] [MESH ...]
 //
@@ -40,7 +40,7 @@ std::string mesh_name(const std::string& file)
   return base.substr(0, base.find_last_of('.'));
 }
 
-// builds the shell, prints its line, and returns the figures through a pipe
+// Builds the shell, prints its line, and returns the measurement through a pipe.
 bool measure(const std::string& file, double gamma, bool dense, bool paper_energy, Measurement& result)
 {
   int ends[2];

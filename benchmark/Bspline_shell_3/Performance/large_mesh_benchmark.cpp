@@ -1,14 +1,15 @@
-// What large meshes cost: the certified shell, the certificate once more, simplification, and an attribute there and
-// back. For each stage seconds, those of all processors, the resident memory at its end, and the most that there was of
-// it, in bytes a facet of the mesh. One JSON object a line; every mesh has a process of its own.
+// Measures large meshes: certified shell, another certification, simplification, and an attribute there and back. Each
+// stage has its wall-clock and processor seconds, and the resident memory at its end and at its peak, in bytes per
+// facet of the mesh. Prints one JSON object per line; every mesh has a separate process.
 //
 //   large_mesh_benchmark [--thickness T] [--ratio R] [--policy plane|probabilistic-plane] [--plain] MESH...
 //
-// MESH: a file, or a number of facets: a scan that is made, a sphere with bumps and grooves, whose shape does not
-// depend on the number.
-// --thickness (default 0.01, of the longest box side) of the shell. --ratio (default 0.01): what simplification keeps
-// of the facets. --policy (default plane): its costs and places. --plain: also CGAL's edge collapse without a shell,
-// with the same policy. "mesh" in bytes is the mesh itself; peaks of the other stages are what there is beyond it.
+// MESH: a file, or a number of facets. In the latter case, a synthetic scan is used, a sphere with bumps and grooves,
+// whose shape does not depend on the number.
+// --thickness: thickness of the shell (default 0.01, of the longest box side). --ratio: share of facets that
+// simplification keeps (default 0.01). --policy: costs and placements (default plane). --plain: also CGAL's edge
+// collapse without a shell, with the same policy.
+// "mesh" is the memory of the mesh itself, which is subtracted from the peaks of the other stages.
 #include "../json.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
@@ -62,7 +63,7 @@ double processor_seconds()
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-// "VmRSS", or "VmHWM", the most since the last reset; in bytes
+// Returns the field "VmRSS", or "VmHWM", the peak since the last reset, in bytes.
 double memory(const std::string& field)
 {
   std::ifstream in("/proc/self/status");
@@ -71,7 +72,7 @@ double memory(const std::string& field)
   return 0;
 }
 
-// what a stage costs, from its construction to finish()
+// Measures a stage, from its construction to finish().
 class Stage
 {
 public:
@@ -83,7 +84,7 @@ public:
     m_timer.start();
   }
 
-  // \param mesh_bytes what is not counted
+  // \param mesh_bytes is subtracted
   std::string finish(const std::string& name, std::size_t facets, double mesh_bytes)
   {
     m_timer.stop();
@@ -102,8 +103,7 @@ private:
   double m_processor_seconds;
 };
 
-// an icosahedron with edges of n parts, on a sphere whose radius waves: seen from the center, no point hides another
-// one
+// Returns an icosahedron with edges of n parts, projected to a star-shaped surface with waves.
 Mesh scan(std::size_t facets)
 {
   const int n = int((std::max)(1., std::round(std::sqrt(double(facets) / 20))));
@@ -119,7 +119,7 @@ Mesh scan(std::size_t facets)
     const double r = 1 + shape + grooves;
     return Point(r * x, r * y, r * z);
   };
-  // inner vertices are a facet's own, those on edges and corners are shared
+  // Inner vertices belong to one facet; those on edges and corners are shared.
   std::map<std::array<std::size_t, 3>, Mesh::Vertex_index> shared; // corner, corner, steps from the lesser one
   for(auto f : icosahedron.faces()) {
     const auto h = icosahedron.halfedge(f);

@@ -1,10 +1,10 @@
-// How fast random points move from a mesh to another one in its shell: microseconds a point, with one core and with
-// all, and for several tolerances; also when the points are mapped one by one, so that none begins near the last. One
-// JSON object a line.
+// Measures the projection of random points from a mesh to another one in its shell: microseconds per point, on one core
+// and on all, for several tolerances. Points are also mapped one by one, so that no search begins near the last image.
+// Prints one JSON object per line.
 //
 //   projection_benchmark [--points N] [MESH ...]
 //
-// Default: a million points of armadillo. The second mesh is the first with its vertices moved along the flow.
+// Default: a million points of armadillo. The second mesh is the first one with its vertices moved along the flow.
 #include "../meshes_in_shell.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>

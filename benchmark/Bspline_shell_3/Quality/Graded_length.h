@@ -1,5 +1,5 @@
-// Lengths of edges that differ from place to place: shorter where a mesh is thin, or where the level sets of its
-// shell's field are curved.
+// Edge lengths that vary over the mesh: shorter where a mesh is thin, or where the level sets of its shell's field are
+// curved.
 #ifndef BENCHMARK_GRADED_LENGTH_H
 #define BENCHMARK_GRADED_LENGTH_H
 
@@ -20,13 +20,13 @@
 #include <utility>
 #include <vector>
 
-// A length on each cell of a grid that the mesh was found in; from one cell to the next it grows by 0.3 of the way at
-// most, so that facets of different sizes have room between them.
+// A length for each cell of a grid around the mesh. Between neighboring cells, it grows by at most 0.3 of the distance,
+// so that facet sizes vary gradually.
 class Graded_length
 {
   typedef std::array<int, 3> Cell;
 public:
-  // sizes at points, scaled so that a quarter of them give lengths below the geometric mean of both bounds
+  // `sizes` at points are scaled: a quarter of them give lengths below the geometric mean of both bounds.
   Graded_length(const std::vector<Kernel::Point_3>& points, const std::vector<double>& sizes, double least, double most)
     : m_width(least / 2)
   {
@@ -83,7 +83,8 @@ private:
   std::unordered_map<Cell, double, boost::hash<Cell> > m_lengths;
 };
 
-// edges of lengths as the roots of radii are equally far from arcs
+// Returns the root of the least radius of curvature: chords with a length proportional to it have the same distance
+// from arcs.
 inline double root_of_least_radius(const Shell::Field& field, const Kernel::Point_3& p)
 {
   const auto g = *field.gradient(p);

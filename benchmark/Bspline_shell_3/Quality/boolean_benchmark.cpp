@@ -1,22 +1,20 @@
-// Unions, intersections and differences of pairs of meshes: whether they get a certified shell, and what becomes of the
-// colors of their operands if they are simplified in it as far as it allows. One JSON object a line.
+// Measures Booleans of pairs of meshes: whether they get a certified shell, and how their operands' colors change if
+// they are simplified as far as the shell allows. Prints one JSON object per line.
 //
 //   boolean_benchmark [--thickness T] [--distance D] [--points N] [FIRST SECOND ...]
 //
-// Default: ten pairs of meshes, the second one turned and moved (place() in operand_labels.h); those that are given are
-// taken as they are. Four simplifications: `free` ignores the colors and gets them by transfer_face_labels();
-// `along_curve` collapses edges of the intersection curve along the curve, and `near_curve` only as far as the curve
-// stays near (Curve_filter); `protected` keeps each of them. In these, facets keep their labels. The thickness of the
-// shell (default 0.01) and the distance of near_curve (default 0.001) are in units of the longest box side. Reported
-// are
+// Default: ten pairs of meshes, the second one turned and moved (place() in operand_labels.h). Given meshes are not
+// moved. There are four simplifications: `free` ignores the colors and gets them by transfer_face_labels().
+// `along_curve` collapses edges of the intersection curve along the curve. `near_curve` does so only if the curve stays
+// near (Curve_filter). `protected` keeps all of these edges. In the last three, facets keep their labels. The thickness
+// of the shell (default 0.01) and the distance of near_curve (default 0.001) are in units of the longest box side.
 //
-// - label_distance: the largest distance of the centroid of a facet of the Boolean from the operand that it has the
-//   label of
-// - border_to_curve: distances between the border of the colors, and the curve before; on_surface: the same for the
-//   image of the border on the Boolean's mesh; curve_to_border: the other way. Mean and maximum, in percent of the
+// - label_distance: largest distance of a facet's centroid on the Boolean from the operand with the facet's label
+// - border_to_curve: distances from the border of the colors to the initial curve; on_surface: the same for the
+//   border's image on the Boolean's mesh; curve_to_border: the opposite distances. Mean and maximum, in percent of the
 //   longest box side.
-// - wrong_area: the share of N points (default 100000) of the simplified mesh with another color than their images on
-//   the Boolean's mesh, in percent
+// - wrong_area: percentage of N points (default 100000) of the simplified mesh whose color differs from that of their
+//   image on the Boolean's mesh
 #include "../AABB_tree_of.h"
 #include "../meshes_in_shell.h"
 #include "../../../examples/Bspline_shell_3/curve_filter.h"
@@ -45,7 +43,7 @@ struct Options
   std::size_t points = 100000;
 };
 
-// twice the inradius, divided by the circumradius
+// Returns the least quality: twice the inradius, divided by the circumradius.
 double worst_quality(const Mesh& mesh)
 {
   double worst = 1;
@@ -78,7 +76,7 @@ double label_distance(const Mesh& mesh, const Labels& labels, const std::array<c
   return largest;
 }
 
-// a mesh, its colors, and the border of these
+// A mesh, its colors, and their border.
 struct Colored
 {
   Colored(const Mesh& m, Labels l, Curve c) : mesh(m), labels(l), curve(c)
@@ -96,7 +94,7 @@ struct Colored
   Segment_tree tree;
 };
 
-// points of the border, less than a thousandth of the box apart, and what length each of them stands for
+// Points of the border, at most 1/1000 of the box apart, with the length that each represents.
 struct Samples
 {
   Samples(const Colored& colored, double unit)
@@ -153,7 +151,7 @@ Distances distances(const Samples& from, const Colored& to)
   return result;
 }
 
-// how the colors of a simplified mesh differ from those before
+// Compares the colors of a simplified mesh with those before.
 std::string compare(const Shell& shell, const Colored& before, const Colored& after, std::size_t number)
 {
   const double unit = shell.report().unit;

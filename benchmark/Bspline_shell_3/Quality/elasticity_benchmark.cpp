@@ -1,17 +1,17 @@
-// Nonlinear elasticity in tetrahedra on meshes as they are, and on proxies of them in their certified shells: quality
-// of tetrahedra, iterations, time, and how far the solutions are from that of the finest proxy. One JSON object a line;
-// every mesh has a process of its own.
+// Nonlinear elasticity in tetrahedra on input meshes, and on proxies in their certified shells: quality of tetrahedra,
+// iterations, time, and differences of solutions from that of the finest proxy. Prints one JSON object per line; every
+// mesh has a separate process.
 //
 //   elasticity_benchmark [--edges N]... [--angle A] [--unknowns U] [--gmsh] [--max-seconds S] [MESH ...]
 //
 // --edges: the target length of the proxy's edges is the longest side of the box divided by N; default: 20, 30 and 45.
-// --angle: one end of the longest side is held, the other bent by so many degrees, by default 45. --unknowns: larger
-// systems are left out (default 300000). --gmsh: tetrahedra by Gmsh, not by TetGen. --max-seconds: after which a
-// process is given up.
+// --angle: angle in degrees by which one end of the longest side is bent, while the other is held (default 45).
+// --unknowns: larger systems are skipped (default 300000). --gmsh: tetrahedra by Gmsh instead of TetGen. --max-seconds:
+// time limit of a process.
 //
-// Quality is the mean ratio, 12 (3 volume)^(2/3) by the sum of the squares of all edges. Differences are over the
-// vertices of the mesh, in percent of the largest displacement, from what quadratic elements give on the finest proxy
-// that is not left out. self_intersections: pairs of facets of the bent mesh.
+// Quality is the mean ratio, 12 (3 volume)^(2/3) divided by the sum of the squared lengths of all edges. Differences
+// are over the vertices of the mesh, in percent of the largest displacement. The reference is the solution with
+// quadratic elements on the finest proxy that is not skipped. self_intersections: pairs of facets of the bent mesh.
 #include "../meshes_in_shell.h"
 
 #include "../../../examples/Bspline_shell_3/Neo_hookean_solid.h"
@@ -58,7 +58,7 @@ struct Options
   std::string generator = "TetGen";
 };
 
-// by the generator with this name, if the program is linked with it
+// Calls the generator with this name, if the program is linked with it.
 Tetrahedra tetrahedralize([[maybe_unused]] const Mesh& mesh, const std::string& generator)
 {
 #ifdef HAVE_TETGEN
@@ -88,7 +88,7 @@ std::vector<double> sorted_mean_ratios(const Tetrahedra& tetrahedra)
   return result;
 }
 
-// a mesh that is filled, and how a solution gets to the vertices of the mesh that is examined
+// A filled mesh, and the map that transfers a solution to the vertices of the examined mesh.
 struct Domain
 {
   std::string name;
@@ -112,7 +112,7 @@ struct Domain
   }
 };
 
-// solves and prints; all solutions are compared with the first that there is
+// Solves and prints. The first solution is the reference of the others.
 void measure(const std::string& name, const Mesh& mesh, const Domain& domain, int order, const Bend& motion,
              const Options& options, Solid::Vectors& reference)
 {
@@ -227,7 +227,7 @@ int main(int argc, char** argv)
     else files.push_back(arg);
   }
   if(options.edges.empty()) options.edges = { 20, 30, 45 };
-  std::sort(options.edges.rbegin(), options.edges.rend()); // others are compared with the finest
+  std::sort(options.edges.rbegin(), options.edges.rend()); // the finest is the reference
   if(!(options.edges.back() > 0)) {
     std::cerr << "Usage: elasticity_benchmark [--edges N]... [--angle A] [--unknowns U] [--gmsh] [--max-seconds S] "
                  "[MESH ...]\n";

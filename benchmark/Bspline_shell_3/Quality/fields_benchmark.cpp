@@ -1,12 +1,12 @@
-// Tangent fields at facets, carried to the mesh simplified in its shell and back: angles to the same field, given by a
-// formula, in degrees. One JSON object a line: mesh and symmetry (1 vectors, 4 crosses).
+// Transfers tangent fields at facets to the mesh simplified in its shell, and back. Angles to the same field, given by
+// a formula, are in degrees. Prints one JSON object per line, for each mesh and symmetry (1: vectors, 4: crosses).
 //
 //   fields_benchmark [--thickness T] [MESH ...]
 //
-// "there" compares at the centroids of the simplified mesh, "back" at those of the mesh. "nearest" takes one vector for
-// each facet; "mean" takes samples_per_facet(16) there, and linear_reconstruction(true) back. "sampling" is no fault of
-// the map: how far the formula is, at 16 places of each facet of the simplified mesh, from its value at the centroid,
-// which is what a field that is constant on facets is off by. Angles are means over the area.
+// "there" compares at the centroids of the simplified mesh, "back" at those of the mesh. "nearest" uses one vector per
+// facet. "mean" uses samples_per_facet(16) there, and linear_reconstruction(true) back. "sampling" is the
+// discretization error, which is not due to the map: the angle between the formula at 16 places of each facet of the
+// simplified mesh, and at the centroid. Angles are means over the area.
 #include "../meshes_in_shell.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
@@ -44,7 +44,7 @@ struct Triangle
   Kernel::Vector_3 normal;
 };
 
-// around an axis, turning slowly along it
+// A field around an axis, which turns slowly along it.
 struct Formula
 {
   explicit Formula(const CGAL::Bbox_3& box)
@@ -64,7 +64,7 @@ struct Formula
   double unit;
 };
 
-// up to rotations that the field has, in degrees
+// Returns the angle up to the field's rotational symmetry, in degrees.
 double angle(const Kernel::Vector_3& u, const Kernel::Vector_3& v, const Kernel::Vector_3& normal, int symmetry)
 {
   const double step = 360. / symmetry,

@@ -1,15 +1,16 @@
 // Geodesic distances by the heat method: solved on the mesh itself, and on a proxy with good triangles in its shell,
-// from where they are carried back. Compared to exact distances along the mesh (Surface_mesh_shortest_path). One JSON
-// object a line: mesh, and number of edges along the longest side of the box.
+// from which they are transferred back. They are compared with exact distances along the mesh
+// (Surface_mesh_shortest_path). Prints one JSON object per line, for each mesh and number of edges along the longest
+// side of the box.
 //
 //   geodesics_benchmark [--edges N,N,...] [--sources K] [--thickness T] [--grading R] [MESH ...]
 //
-// N is 25, 50, 100 and 150 by default, K is 5: vertices at equal steps of their numbers. They are constrained, so that
-// the proxy has them. Errors are in percent of the largest exact distance, over all vertices and sources; "beyond_3" is
-// the share of vertices off by more than 3 %, as in the histograms of the paper. Where facets are not in the certified
-// shell, they are frozen, and "certified" is false. With R > 1, there are two more proxies for each N, whose edges are
-// up to R times as long: the shorter, the thinner the mesh is ("gap"), or the more the level sets of the field are
-// curved ("curvature"). On proxies, the heat method is also solved with half of CGAL's time step.
+// By default, N is 25, 50, 100 and 150, and K is 5: sources are vertices at equal steps of their indices. The proxy
+// keeps them as constrained vertices. Errors are in percent of the largest exact distance, over all vertices and
+// sources; "beyond_3" is the share of vertices with an error of more than 3 %, as in the histograms of the paper.
+// Facets outside the certified shell are frozen, and "certified" is false. With R > 1, there are two more proxies for
+// each N, with edges up to R times as long: shorter where the mesh is thin ("gap"), or where level sets of the field
+// are curved ("curvature"). On proxies, the heat method is also solved with half of CGAL's time step.
 #include "../meshes_in_shell.h"
 #include "Graded_length.h"
 
@@ -40,7 +41,7 @@
 namespace HM = CGAL::Heat_method_3;
 typedef Mesh::Vertex_index Vertex;
 typedef Mesh::Property_map<Vertex, double> Distance;
-typedef std::vector<double> Values; // at the vertices of the mesh, in their order
+typedef std::vector<double> Values; // values at the vertices of the mesh, in their order
 
 Values exact_distances(const Mesh& mesh, Vertex source)
 {
@@ -51,8 +52,8 @@ Values exact_distances(const Mesh& mesh, Vertex source)
   return result;
 }
 
-// The time step is the square of the mean length of the edges, and has no parameter: lengths that are shorter by the
-// root of two halve it.
+// The time step is the square of the mean length of the edges, and cannot be set. Lengths divided by the root of two
+// halve it.
 struct Half_time_step : Kernel
 {
   struct Compute_squared_distance_3
@@ -118,7 +119,7 @@ Errors direct(const Mesh& mesh, const std::vector<Vertex>& sources, const std::v
 
 typedef std::function<double(const Kernel::Point_3&)> Sizing;
 
-// uniform, and graded between a length and a multiple of it
+// Returns a uniform sizing, and sizings between a length and a multiple of it.
 std::vector<std::pair<std::string, Sizing> > sizings(const Shell& shell, const Mesh& mesh, double length,
                                                      double grading)
 {

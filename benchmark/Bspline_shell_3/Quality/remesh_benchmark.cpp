@@ -1,10 +1,11 @@
-// Remeshing in a shell beside CGAL's isotropic remeshing: quality of triangles, certificate, time. One JSON object a
-// line.
+// Compares remeshing in a shell with CGAL's isotropic remeshing: quality of triangles, certificate, time. Prints one
+// JSON object per line.
 //
 //   remesh_benchmark [--edges N] [--iterations I] [--thickness T] [MESH ...]
 //
-// The target length of edges is the longest side of the mesh's box divided by N, default 60; 5 iterations by default.
-// Quality is twice the ratio of inradius to circumradius. Edges sharper than 60 degrees are constrained in both.
+// The target length of edges is the longest side of the mesh's box divided by N (default 60); I is 5 by default.
+// Quality is twice the ratio of inradius to circumradius. Edges sharper than 60 degrees are constrained in both
+// methods.
 #include "../meshes_in_shell.h"
 
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
@@ -61,7 +62,7 @@ void measure(const std::string& file, double edges, unsigned int iterations, dou
   auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
   PMP::detect_sharp_edges(mesh, 60, sharp);
   Mesh plain = mesh;
-  // the one that was copied
+  // the copy of the property map
   const auto sharp_of_plain = plain.add_property_map<Mesh::Edge_index, bool>("e:sharp").first;
 
   CGAL::Real_timer timer;
@@ -116,7 +117,7 @@ int main(int argc, char** argv)
   }
   if(files.empty()) files.push_back(MESHES "/anchor.off");
   for(const std::string& file : files) {
-    // a process each, as isotropic remeshing may not end well on every mesh
+    // Each mesh has a separate process, as isotropic remeshing can fail.
     std::cout.flush();
     const pid_t child = fork();
     if(child == 0) {

@@ -1,6 +1,6 @@
-// What the paper's resolution gamma does (its Figures 7 and 8): one JSON object a line for each mesh and gamma, the
-// number of equal cells along the longest side of the mesh's box; and one for the certified shell of the mesh, whose
-// cells are as small as the proof needs.
+// Measures the effect of the paper's resolution gamma, the number of equal cells along the longest side of the mesh's
+// box (Figures 7 and 8). Prints one JSON object per line, for each mesh and gamma, and for the certified shell of the
+// mesh, whose cells are as small as the proof requires.
 //
 //   resolution_benchmark [--gamma G,G,...] [--points N] [--thickness T] [--output PREFIX AXIS PART] [MESH ...]
 //
@@ -8,19 +8,18 @@
 // Lengths are in units of the longest side.
 //
 //   gamma                    null for the certified shell
-//   seconds                  of the shell; of the certified one, with its proof
-//   inner, outer             the lowest and the highest threshold on the mesh
-//   thickness                the largest difference of both thresholds at a point of the mesh
+//   seconds                  of the shell; for the certified shell, including its proof
+//   inner, outer             lowest and highest threshold on the mesh
+//   thickness                largest difference of both thresholds at a point of the mesh
 //   largest_value            bounds |f| on the mesh
 //   contained                share of the points that are in the shell
-//   certificate, certified   verdicts about the mesh, and whether all claims are proved
-//   certificate_seconds      of equal cells
+//   certificate, certified   verdicts for the mesh, and whether all claims are proved
+//   certificate_seconds      for equal cells
 //
 // --output writes PREFIX_mesh.ply, the surfaces PREFIX_{G,certified}_{inner,outer}.ply, and
-// PREFIX_{G,certified}_slice.txt, a grid on the plane where the coordinate AXIS (0, 1 or 2) has come to this PART (0 to
-// 1) of its way through the mesh's box. The first line is: columns, rows, the first point, the step; one line follows
-// for each point, row by row: f, and where between the thresholds it is, from 0 to 1. Both are nan where the shell has
-// no cells.
+// PREFIX_{G,certified}_slice.txt, a grid in a plane: its coordinate AXIS (0, 1 or 2) is at the fraction PART (0 to 1)
+// of the mesh's box. The first line has the columns, rows, first point and step. Each point follows in a line, row by
+// row: f, and its position between the thresholds, from 0 to 1. Both are nan outside the cells of the shell.
 #include "../meshes_in_shell.h"
 #include "../../../examples/Bspline_shell_3/example_output.h"
 
@@ -52,7 +51,7 @@ struct Options
 };
 
 constexpr int pixels = 800;     // along the longest side of a slice
-constexpr double margin = 0.08; // around the mesh's box in it
+constexpr double margin = 0.08; // around the mesh's box in the slice
 
 template <typename Shell_>
 bool write_slice(const std::string& file, const Shell_& shell, const Mesh& mesh, int axis, double part)
@@ -95,7 +94,7 @@ bool write_output(const Options& options, const std::string& name, const Shell_&
          && write_slice(prefix + "slice.txt", shell, mesh, options.axis, options.part);
 }
 
-// what both kinds of shells have in common
+// Prints the properties common to both kinds of shells.
 template <typename Shell_>
 void print_shell(const Shell_& shell, const Mesh& mesh, double seconds, const BS::Certificate_report& certificate,
                  std::size_t points)

@@ -1,12 +1,12 @@
-// Points move from a mesh to another one in its shell and back: how far from where they started they arrive, whether
-// any is lost, whether small triangles keep their orientation, and whether the differential of the map jumps. One JSON
-// object a line.
+// Maps points from a mesh to another one in its shell and back: measures how far they arrive from their start, whether
+// points are lost, whether small triangles keep their orientation, and jumps of the differential of the map. Prints one
+// JSON object per line.
 //
 //   round_trip_benchmark [--points N] [MESH ...]
 //
-// Default: 100000 points on elephant. The second mesh is the first with its vertices moved along the flow, and then, on
-// a second line, the first as coarse as the shell allows. Points are random ones, and all vertices, midpoints of edges
-// and centroids of facets, of both meshes. Lengths are in units of the longest box side.
+// Default: 100000 points on elephant. The second mesh is the first one with its vertices moved along the flow; a second
+// line is for the first one, simplified as far as the shell allows. Points are random points, and all vertices,
+// midpoints of edges and centroids of facets of both meshes. Lengths are in units of the longest box side.
 #include "../meshes_in_shell.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
@@ -44,7 +44,7 @@ struct Round_trip
   std::map<std::string, std::size_t> reasons;
 };
 
-// to the target of `there` and back to that of `back`
+// Maps points to the target of `there`, and from it to the target of `back`.
 void travel(const Map::Projection_to_target& there, const Map::Projection_to_target& back, const Points& points,
             Round_trip& result)
 {
@@ -64,7 +64,7 @@ void travel(const Map::Projection_to_target& there, const Map::Projection_to_tar
     result.farthest = (std::max)(result.farthest,
                                  std::sqrt(CGAL::squared_distance(points[n], returned[n].point)) / unit);
   }
-  // equilateral triangles across the gradient
+  // Equilateral triangles across the gradient.
   const double size = 1e-5 * unit;
   Points corners;
   for(const Kernel::Point_3& p : points) {
@@ -79,7 +79,7 @@ void travel(const Map::Projection_to_target& there, const Map::Projection_to_tar
   }
   const auto mapped = there.project(corners);
   for(std::size_t n = 0; n < points.size(); ++n) {
-    // a corner may be out of the shell where the point is not
+    // A corner can be outside the shell even if its point is inside.
     if(!images[n] || !mapped[3 * n] || !mapped[3 * n + 1] || !mapped[3 * n + 2]) continue;
     ++result.triangles;
     const Kernel::Vector_3 g = *there.shell().field().gradient(images[n].point);
@@ -91,13 +91,13 @@ void travel(const Map::Projection_to_target& there, const Map::Projection_to_tar
   }
 }
 
-// How the differential of the map changes between neighboring points on straight lines in facets of the source.
+// Changes of the map's differential between neighboring points on straight lines in facets of the source.
 struct Jumps
 {
-  double within_facets = 0; // of the target: that of the map
-  double of_flow = 0;       // that of the flow, also from facet to facet
-  double across_edges = 0;  // of the target: that of the map
-  double unexplained = 0;   // what is left of it if both normals are put in the place of one point's
+  double within_facets = 0; // changes of the map within a facet of the target
+  double of_flow = 0;       // changes of the flow, also between facets
+  double across_edges = 0;  // changes of the map between facets of the target
+  double unexplained = 0;   // the part of across_edges that is not due to different normals
 };
 
 Jumps jumps(const Map& map, std::size_t lines)
@@ -110,8 +110,8 @@ Jumps jumps(const Map& map, std::size_t lines)
   };
   for(const auto& location : random_locations(map.source(), lines, 11)) {
     const auto h = map.source().halfedge(location.first);
-    // points in the facet, 1e-7 of the box apart, around where the line leaves a facet of the target: found by
-    // bisection
+    // Bisection finds two points in the facet, 1e-7 of the box apart, on both sides of the place where the image leaves
+    // a facet of the target.
     const Map::Coordinates p = map.point(location);
     const Kernel::Vector_3 along = map.source().point(map.source().target(h))
                                    - map.source().point(map.source().source(h));

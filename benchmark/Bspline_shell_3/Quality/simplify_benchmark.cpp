@@ -1,15 +1,15 @@
-// Simplifies each mesh in its certified shell, and beside it by the same edge collapse without the shell, to the same
-// number of facets; then in the shell again, as far as it goes. One JSON object a line; every mesh has a process of its
-// own.
+// Simplifies each mesh in its certified shell, and for comparison by the same edge collapse without the shell to the
+// same number of facets. Then simplifies it in the shell again, as far as possible. Prints one JSON object per line;
+// every mesh has a separate process.
 //
 //   simplify_benchmark FILE... [--facets N] [--ratio R]
-//       [--policy plane|triangle|probabilistic-plane|probabilistic-triangle]
+//                      [--policy plane|triangle|probabilistic-plane|probabilistic-triangle]
 //                      [--thickness T] [--points N] [--max-seconds S]
 //
-// --facets (default 300) or --ratio: where to stop; what the shell does not allow is compared at the number that it
-// allows. --thickness (default 0.01, of the longest box side) of the shell. --points: number of samples of the
-// Hausdorff distances (default 50000). Distances are in units of the longest box side, angles in degrees.
-// --max-seconds: after which a process is given up.
+// --facets (default 300) or --ratio: the target; if the shell does not allow it, its number of facets is used for the
+// comparison. --thickness: of the shell (default 0.01, of the longest box side). --points: number of samples of the
+// Hausdorff distances (default 50000). --max-seconds: time limit of a process. Distances are in units of the longest
+// box side, angles in degrees.
 #include "../json.h"
 
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
@@ -68,7 +68,7 @@ double least_angle(const Mesh& mesh)
   return least;
 }
 
-// intersecting pairs of facets, distances from the mesh before and to it, smallest angle
+// Returns the number of intersecting pairs of facets, distances from and to the initial mesh, and the smallest angle.
 std::string quality(const Mesh& before, Mesh mesh, double unit, const Options& options)
 {
   mesh.collect_garbage();

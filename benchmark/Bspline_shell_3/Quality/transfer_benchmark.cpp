@@ -1,49 +1,48 @@
-// The map between a mesh and the same mesh simplified in its shell, beside what is used where there is no shell: the
-// closest point, and the ray along the interpolated vertex normal. One JSON object a line, for each mesh, method and
-// direction.
+// Compares the map between a mesh and the same mesh simplified in its shell with common methods that need no shell: the
+// closest point, and the ray along the interpolated vertex normal. Prints one JSON object per line, for each mesh,
+// method and direction.
 //
 //   transfer_benchmark [--points N] [--thickness T] [MESH ...]
 //
 // Default: 100000 points on elephant; shells of 1 % of the longest side of the mesh's box, which is the unit of all
-// lengths here. What the methods do with a point p of the source:
+// lengths here. The methods map a point p of the source as follows:
 //
-//   shell_map      Shell_map_3: the integral curve through p
-//   closest_point  the point of the target that is closest to p
-//   normal_ray     the hit nearest to p of the line through p along the vertex normals, interpolated at p; both
-//                  directions, whichever way the facet faces, and not farther than two thicknesses of the shell: where
-//                  the gradient is 1, that is how long a line can be in the shell that is inclined to the gradient by
-//                  60 degrees
+//   shell_map      Shell_map_3: along the integral curve through p
+//   closest_point  to the point of the target that is closest to p
+//   normal_ray     to the nearest intersection of the target with the line through p along the interpolated vertex
+//                  normals. Both directions and both sides of facets are permitted. The distance is at most two
+//                  thicknesses of the shell: the length in the shell of a line inclined to the gradient by 60 degrees,
+//                  if the gradient is 1.
 //
-// What is measured, with none of it defined by the shell:
+// None of the measured quantities depends on the shell:
 //
-//   faces_away     share of random points whose image is on a facet that faces away: the dot product of the two facets'
-//                  normals is negative. The two sides of a wall, or of a gap, face opposite ways; two meshes along each
-//                  other face the same way. So this sees each image across a wall, whatever is near. It also counts
-//                  correct images at creases sharper than 90 degrees.
-//   wrong_sheet    these without the ones at creases: no facet of the target that faces as the source does is connected
-//                  with that of the image by facets that meet the ball around the image whose radius is twice the
-//                  distance from the point to it
+//   faces_away     share of random points whose image is on a facet that faces away: the dot product of both facets'
+//                  normals is negative. The two sides of a wall, or of a gap, face opposite ways; neighboring parts of
+//                  both meshes face the same way. So this detects every image across a wall. It also counts correct
+//                  images at creases sharper than 90 degrees.
+//   wrong_sheet    the same without creases: no facet of the target that faces as the source does is connected with the
+//                  image's facet by facets that meet a ball around the image. Its radius is twice the distance from
+//                  the point to the image.
 //   not_covered    share of random points without an image
-//   folded         share of random points where the map turns small triangles over or flattens them: triangles around
-//                  them of the shape of their facet, 1e-4 long, that face as none of the facets of their corners'
-//                  images does. Flat is what is not higher over its longest edge than twice 1e-9, the tolerance of
-//                  Shell_map_3, as each corner may be off by that.
-//   torn           The source's facets are subdivided into about N triangles. Share of their area with an edge across
-//                  which the map jumps: 20 bisections of the edge, each time the half whose images are farther apart,
-//                  leave images farther apart than half of its length. A continuous map would stretch it there by
-//                  500000. Edges stretched to less than twice their length are not examined.
+//   folded         share of random points where the map turns over or flattens small triangles. These are similar to
+//                  the point's facet, with edges of at most 1e-4. The image of a triangle is folded if it does not face
+//                  as any facet of its corners' images. It is flat if its height over the longest edge is at most twice
+//                  1e-9, the tolerance of Shell_map_3 for each corner.
+//   torn           share of the area where the map jumps. The source's facets are subdivided into about N triangles.
+//                  Edges of these are bisected 20 times; the half whose images are farther apart is kept. The map jumps
+//                  if the images are finally farther apart than half of the edge. A continuous map would have to
+//                  stretch it by 500000. Edges stretched to less than twice their length are not examined.
 //   stretched      share of their area with an edge whose images are more than ten times as far apart
-//   not_hit        share of random points q of the target to which nothing is mapped. The points that may be are known:
-//                  the image of q by the inverse map; the points of the source on the normal of the target at q; the
-//                  solutions of a cubic equation for each facet of the source nearby. Whether one of them is mapped to
-//                  within 1e-6 of q, far more than roundings, is tried.
-//   round_trip     there and back by the same method: mean and largest distance from the start of what comes back, and
-//                  the share that is lost
-//   microseconds   per random point, one thread; all methods get them in the same order, in which neighbors follow each
-//                  other
+//   not_hit        share of random points q of the target that are not the image of a point. All candidates for that
+//                  point are known: the image of q by the inverse map; points of the source on the target's normal at
+//                  q; or solutions of a cubic equation for each nearby facet of the source. Each candidate is mapped;
+//                  q is hit if an image is within 1e-6, far more than rounding errors.
+//   round_trip     there and back by the same method: mean and largest distance of returned points from their start,
+//                  and the share of lost points
+//   microseconds   per random point, one thread; all methods process them in the same spatially sorted order
 //
-// Successive self-parameterization (Liu et al., "Surface Multigrid via Intrinsic Prolongation", 2021) is not compared:
-// it keeps a map while it decimates, and so maps a mesh to its own decimation only, not to a second mesh that is given.
+// Successive self-parameterization (Liu et al., "Surface Multigrid via Intrinsic Prolongation", 2021) is not compared.
+// It updates a map during decimation, so it maps a mesh only to its own decimation, not to a given second mesh.
 #include "../AABB_tree_of.h"
 #include "../meshes_in_shell.h"
 
@@ -81,7 +80,7 @@ typedef Kernel::Vector_3 Vector;
 typedef std::array<double, 3> Weights; // barycentric coordinates
 typedef AABB_tree_of<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh> > Mesh_tree;
 
-const double tolerance = 1e-9; // of Shell_map_3, in boxes
+const double tolerance = 1e-9; // the tolerance of Shell_map_3, in units of the box
 
 double distance(const Point& p, const Point& q)
 {
@@ -96,7 +95,7 @@ struct Place
   Point point;
 };
 
-// A mesh, and what the methods need of it. Its tree is built before time is measured.
+// A mesh with the data used by the methods. Its tree is built before time is measured.
 struct Surface
 {
   explicit Surface(const Mesh& mesh) : mesh(mesh), tree(faces(mesh).begin(), faces(mesh).end(), mesh)
@@ -128,7 +127,7 @@ struct Surface
   Mesh_tree tree;
 };
 
-// Each method finds the image of a place, and the places whose image another one may be.
+// Each method returns the image of a place, and candidates for places with a given image.
 struct Along_curve
 {
   const BS::Shell_map_3<Shell, Mesh>&map, &inverse;
@@ -146,7 +145,7 @@ struct Along_curve
   }
 };
 
-// where the line through a point meets a surface, not farther from it than a bound
+// Returns the intersections of the line through a point with a surface, up to a distance.
 std::vector<Place> on_line(const Surface& surface, const Point& p, const Vector& direction, double farthest)
 {
   std::vector<Mesh::Face_index> facets;
@@ -192,9 +191,9 @@ struct Along_normal
     return nearest;
   }
 
-  // Moved by t times the vertex normals, a facet of the source is a triangle whose plane contains q where a
-  // determinant, cubic in t, is zero. As the interpolated normals may be shorter than 1, t may be larger than
-  // `farthest`: twice as large, unless normals differ by more than 120 degrees.
+  // A facet moved by t times its vertex normals is a triangle, whose plane contains q at zeros of a determinant, cubic
+  // in t. As the interpolated normals may be shorter than 1, t may exceed `farthest`. Unless normals differ by more
+  // than 120 degrees, it is at most twice as large.
   std::vector<Place> origins(const Place& q) const
   {
     std::vector<Mesh::Face_index> facets;
@@ -204,7 +203,7 @@ struct Along_normal
     std::vector<Place> places;
     for(Mesh::Face_index f : facets) {
       const auto v = source.corners(f);
-      Eigen::Matrix3d start, slope; // of the corners, seen from q, in units of `farthest`
+      Eigen::Matrix3d start, slope; // corners relative to q, in units of `farthest`
       for(int i = 0; i < 3; ++i)
         for(int a = 0; a < 3; ++a) {
           start(a, i) = (source.mesh.point(v[i])[a] - q.point[a]) / farthest;
@@ -225,8 +224,8 @@ struct Along_normal
     return places;
   }
 
-  // parts of [-2, 2] on which a cubic polynomial is monotone, from its values at 0, 1 and -1 and its leading
-  // coefficient
+  // Returns the parts of [-2, 2] on which a cubic polynomial is monotone. It is given by its values at 0, 1 and -1, and
+  // its leading coefficient.
   static std::vector<std::pair<double, double> > monotone_ranges(double at_0, double at_1, double at_minus_1,
                                                                  double leading)
   {
@@ -259,11 +258,11 @@ std::vector<Place> random_places(const Surface& surface, std::size_t number, uns
 struct Figures
 {
   std::size_t points = 0, faces_away = 0, wrong_sheet = 0, not_covered = 0, folded = 0, lost = 0, not_hit = 0;
-  double area = 0, torn = 0, stretched = 0; // of small triangles that have images, all together
+  double area = 0, torn = 0, stretched = 0; // areas of small triangles with images
   double round_trip = 0, farthest = 0, seconds = 0;
 };
 
-// Whether a facet that does not face away from a normal is connected with the image of a point by facets near it.
+// Returns whether facets near the image of a point connect it with a facet that does not face away from a normal.
 bool is_at_crease(const Surface& target, const Place& image, const Point& p, const Vector& normal)
 {
   const double radius = 2 * distance(p, image.point);
@@ -283,7 +282,7 @@ bool is_at_crease(const Surface& target, const Place& image, const Point& p, con
   return false;
 }
 
-// Whether small triangles are turned over or flattened at a place.
+// Returns whether small triangles at a place are turned over or flattened.
 template <typename Method>
 bool is_folded(const Method& there, const Surface& source, const Surface& target, const Place& p, double unit)
 {
@@ -308,7 +307,7 @@ bool is_folded(const Method& there, const Surface& source, const Surface& target
                       [&](const Place& image) { return across * target.normal(image) > flat; });
 }
 
-// Whether there is a jump between two places of a facet, whose images are given.
+// Returns whether the map jumps between two places of a facet, whose images are given.
 template <typename Method>
 bool is_torn(const Method& there, const Surface& source, const Place& p, const Place& q, const Place& image_of_p,
              const Place& image_of_q)
@@ -332,7 +331,7 @@ bool is_torn(const Method& there, const Surface& source, const Place& p, const P
   return distance(image_of_a.point, image_of_b.point) > length / 2;
 }
 
-// Subdivides the facets of the source into about `number` triangles, and finds those that are torn or stretched.
+// Subdivides the facets of the source into about `number` triangles, and finds torn and stretched ones.
 template <typename Method>
 void map_small_triangles(const Method& there, const Surface& source, std::size_t number, Figures& result)
 {
@@ -416,7 +415,7 @@ Figures measure(const Method& there, const Method& back, const Surface& source, 
   return result;
 }
 
-// `asked` is the thickness that was asked for
+// `asked` is the requested thickness.
 void print(const std::string& mesh, const std::string& method, const std::string& direction, const Surface& source,
            const Surface& target, const Shell& shell, double asked, const Figures& f)
 {

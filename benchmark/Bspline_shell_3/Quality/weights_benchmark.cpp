@@ -1,27 +1,26 @@
-// What the paper's weight mu does to shells of equal cells (its Figure 10): one JSON object a line for each mesh and
-// mu, and one for the certified shell of the mesh.
+// Measures the effect of the paper's weight mu on shells of equal cells (Figure 10). Prints one JSON object per line,
+// for each mesh and mu, and for the certified shell of the mesh.
 //
 //   weights_benchmark [--gamma G] [--mu M,M,...] [--points N] [--thickness T] [--output PREFIX] [MESH ...]
 //
 // Default: 20 cells along the longest side of the mesh's box, as in the figure, and 100000 random points on fandisk; mu
-// from 1e-6 to 100; a certified shell of 0.05. Lengths are in units of that side. Points, and distances along the mesh
-// from its first vertex by the heat method, go to a second mesh and back: the mesh with its vertices moved along the
-// flow, by 40 % of the way to a level at most. In the certified shell, it is moved as far as its certificate allows: by
-// 80 %, or half as much, and so on.
+// from 1e-6 to 100; a certified shell of 0.05. Lengths are in units of that side. Points are mapped to a second mesh
+// and back. So are distances along the mesh from its first vertex, computed by the heat method. The vertices of the
+// second mesh are moved along the flow, by at most 40 % of the way to a level. In the certified shell, they are moved
+// as far as the certificate permits: by 80 %, half as much, and so on.
 //
 //   mu               null for the certified shell
 //   contained        share of the points that are in the shell
 //   largest_angle    between the facet's normal and the gradient at a point, in degrees
 //   wrong_side       share of the points where the gradient does not point to the side that the facet faces
-//   certificate      verdicts about the mesh, and about the second one
-//   kept_vertices    vertices of the second mesh that are where they were, as their curve does not get that far
-//   round_trip       number of points that come back to within 1e-6, 1e-3 and 0.03, those that are farther away, and
-//                    those that are lost
-//   distances        that come back: the mean of what they are off by, and the most; the number of points that are off
-//                    by 0.03 to 0.06, and so on, by more than 0.3 in the end, and those that get no distance
+//   certificate      verdicts for the mesh, and for the second one
+//   kept_vertices    vertices of the second mesh that are not moved, as their curve does not reach the value
+//   round_trip       number of points that return to within 1e-6, 1e-3 and 0.03, of farther ones, and of lost ones
+//   distances        that return: mean and largest error; the number of points with an error of 0.03 to 0.06, and so
+//                    on, finally of more than 0.3, and of those without a distance
 //
-// --output writes PREFIX_mesh.ply, the mesh with the distances, and PREFIX_{M,certified}.txt, points where what comes
-// back is off by more than 0.03, and by how much: x y z error, of which the last is -1 where nothing comes back.
+// --output writes PREFIX_mesh.ply, the mesh with the distances, and PREFIX_{M,certified}.txt, points with an error of
+// more than 0.03 as x y z error. The error is -1 for points without a returned distance.
 #include "../meshes_in_shell.h"
 
 #include <CGAL/Bspline_shell_3/IO/write_file.h>
@@ -56,9 +55,9 @@ struct Options
   std::string prefix;
 };
 
-constexpr double threshold = 0.03; // from which on the paper shows errors
+constexpr double threshold = 0.03; // least error that the paper shows
 
-// along the flow, inwards here and outwards there, as moved_along_flow(), but without a certificate
+// Moves vertices along the flow, inwards and outwards, like moved_along_flow(), but without a certificate.
 Mesh moved_without_proof(const Uniform_shell& shell, const Mesh& mesh, std::size_t& kept)
 {
   const BS::Gradient_flow_3<Uniform_shell> flow(shell);
@@ -99,7 +98,7 @@ double interpolated(const Mesh& mesh, Distance values, const Location& location)
   return value;
 }
 
-// the rest of a line; false if the points cannot be written
+// Prints the rest of a line. Returns false if the points cannot be written.
 template <typename Shell_>
 bool measure_map(const Shell_& shell, const Mesh& mesh, Mesh& second, Distance distance, std::size_t kept,
                  const Options& options, const std::string& mu)

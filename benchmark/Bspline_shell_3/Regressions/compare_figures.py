@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Runs the benchmarks of run_all.sh five times, and compares what they measure with figures.json.
+"""Runs the benchmarks of run_all.sh five times, and compares the measurements with figures.json.
 
 Usage: compare_figures.py BUILD [--update]
 
-Of seconds, the least of the five runs counts, divided by that of a reference computation, which is run before each of them. Seconds are
-compared with figures of machines with as many processors, all else with those of any machine. --update keeps what was measured as the figures
-of this kind of machine: run it on a quiet machine, and look at the difference before it is committed.
+Times are the minimum of five runs, divided by the minimum time of a reference computation, which precedes each run.
+They are compared with figures of machines with the same number of processors; other figures are compared with those of
+any machine. --update stores the measurements as the figures of this kind of machine: run it on an otherwise idle
+machine, and review the changes before they are committed.
 """
 import json
 import os
@@ -16,13 +17,13 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 FIGURES = HERE / "figures.json"
 RUNS = 5
-NOISE = 1.3                     # the least of three runs, twice on the same machine: 1.2 at most
+NOISE = 1.3                     # the minima of two runs on the same machine differ by a factor of up to 1.2
 MESHES = "elephant", "dino", "homer", "fandisk", "bear", "armadillo", "rotor"
 EDITED = "elephant", "knot1", "fandisk", "bear"
 
 
 def objects(build, program, *arguments):
-    """What a program prints, a JSON object a line."""
+    """Returns the JSON objects that a program prints, one per line."""
     folder = build / "benchmark/Bspline_shell_3"
     path = next(folder.glob(f"*/{program}"))
     done = subprocess.run([path, *map(str, arguments)], capture_output=True, text=True, check=True)
@@ -34,7 +35,7 @@ def name(found):
 
 
 def measure(build):
-    """Pairs of a figure's name and its value, one at a time; names say the unit."""
+    """Yields names and values of figures; the names contain the unit."""
     meshes = build / "data/meshes"
     for found in objects(build, "certify_meshes", "--no-proxy", *(meshes / f"{m}.off" for m in MESHES)):
         if found["status"] != "certified":
@@ -66,7 +67,7 @@ def measured(build):
 
 
 def compare(figure, before, now):
-    """What is to be said about a figure, and whether it is worse than before."""
+    """Returns a comment on a figure, and whether it is worse than before."""
     if before is None:
         return "new", False
     change = now / before if before else float(now != before) + 1

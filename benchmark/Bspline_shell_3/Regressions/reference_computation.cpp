@@ -1,6 +1,5 @@
-// What the times of run_all.sh are compared with, and no change of the package has an influence on: CGAL's edge
-// collapse of a mesh, on one core, and the closest points of random points on it, on all. Prints the seconds of both as
-// a JSON object.
+// The reference for the times of run_all.sh, independent of the package: CGAL's edge collapse of a mesh on one core,
+// and closest points of random points on it on all cores. Prints the seconds of both as a JSON object.
 //
 //   reference_computation [MESH]
 //
@@ -58,7 +57,7 @@ int main(int argc, char** argv)
     return true;
   });
   const double closest = timer.time();
-  double sum = 0; // keeps the compiler from leaving the points out
+  double sum = 0; // keeps the compiler from removing the computation
   for(const Kernel::Point_3& p : points) sum += p.x();
   std::cout << "{\"edge_collapse\":" << collapse << ",\"closest_points\":" << closest
             << ",\"facets\":" << simplified.number_of_faces() << ",\"sum\":" << sum << "}" << std::endl;

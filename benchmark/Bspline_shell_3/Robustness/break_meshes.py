@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
-"""Breaks closed meshes in the ways that files are broken.
+"""Introduces defects of real files into closed meshes.
 
    break_meshes.py FOLDER MESH...       (OFF, triangles)
 
-For each mesh, FOLDER gets NAME_dropped.off, without every 200th facet; NAME_turned.off, in which every tenth faces the other way;
-NAME_doubled.off, with every tenth twice; NAME_split.off, in which no facets share a vertex; NAME_rounded.off, the same with other rounding
-errors at each vertex; NAME_pushed.off, the mesh and a copy that is pushed into it; and NAME_gaps.off, in which every facet is smaller by a
-thousandth.
+For each mesh, writes the following files to FOLDER:
+  NAME_dropped.off   every 200th facet is missing
+  NAME_turned.off    every tenth facet is reversed
+  NAME_doubled.off   every tenth facet occurs twice
+  NAME_split.off     no facets share a vertex
+  NAME_rounded.off   the same, with different rounding errors at each vertex
+  NAME_pushed.off    the mesh, and a copy that intersects it
+  NAME_gaps.off      each facet is scaled by 0.999 about its centroid
 """
 import os
 import sys

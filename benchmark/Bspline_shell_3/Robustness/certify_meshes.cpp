@@ -1,24 +1,26 @@
-// Builds the shell of each mesh and certifies it. One JSON object a line, also for a mesh that is refused or a process
-// that dies: every mesh has a process of its own.
+// Builds the shell of each mesh and certifies it. Prints one JSON object per line, also if a mesh is refused or a
+// process dies: every mesh has a separate process.
 //
 //   certify_meshes FILE... [--thickness T] [--constant] [--gamma G] [--paper] [--no-proxy] [--no-truncation]
-//       [--cone-margin M] [--max-seconds S]
-//     [--max-memory-mb M] [--write-shells DIR] [--surfaces]
+//                  [--cone-margin M] [--max-seconds S] [--max-memory-mb M] [--write-shells DIR] [--surfaces]
 //
-// By default, cells are refined until all claims are proved, and --thickness (default 0.01, of the longest box side) is
-// asked for. --constant: constant thresholds. --gamma: equal cells of that resolution, and constant thresholds.
+// By default, cells are refined until all claims are proved.
+// --thickness: the requested thickness (default 0.01, of the longest box side).
+// --constant: constant thresholds.
+// --gamma: equal cells of this resolution, and constant thresholds.
 // --paper: the paper's dense grid and energy.
-// --no-truncation: singular vertices are accepted, and left as they are; meshes only.
-// --max-seconds: the time limit; a mesh that takes a quarter more is given up.
+// --no-truncation: singular vertices are accepted, but not truncated; meshes only.
+// --max-seconds: the time limit; a process that takes 25 % more is killed.
 // --write-shells: NAME.shell, NAME.shell.txt, NAME.mesh.off and NAME.certificate.txt, which check_certificate reads.
 // --surfaces: the inner and the outer surface of each shell are extracted. "surfaces" has their numbers of components
-// and their Euler characteristics, beside those of the mesh, and whether they are closed and 2-manifold.
-// Thicknesses, eps1 and eps2 are in units of the longest box side; what is no finite number is null.
-// The kind is "closed"; "truncated", where tips of the mesh are replaced; "virtually closed" of an open mesh: facets
-// are those of the closed one; or "proxy", with shares of the area, sampled, and the reason why there is no shell of
-// the mesh itself. --no-proxy, and equal cells: meshes only, also with singular vertices. The status is "certified",
-// "not_certified" (the mesh lies in the shell, but another claim is not proved), "no_shell" (not even that is proved),
-// or "refused".
+// and Euler characteristics, with those of the mesh, and whether they are closed and 2-manifold.
+// Thicknesses, eps1 and eps2 are in units of the longest box side; numbers that are not finite are null.
+//
+// The kind is "closed"; "truncated" if tips of the mesh are replaced; "virtually closed" for an open mesh, whose facets
+// include those that close it; or "proxy", with sampled shares of the area, and the reason why the mesh itself has no
+// shell. --no-proxy and --gamma accept meshes only, also with singular vertices. The status is "certified",
+// "not_certified" (the mesh lies in the shell, but another claim is not proved), "no_shell" (not even containment is
+// proved), or "refused".
 #include "../json.h"
 
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
@@ -88,7 +90,7 @@ std::string list(const std::vector<std::size_t>& numbers)
   return out.str();
 }
 
-// printed as null if it is not positive
+// Returns NaN, which is printed as null, if x is not positive.
 double if_positive(double x)
 {
   return x > 0 ? x : std::numeric_limits<double>::quiet_NaN();
@@ -103,7 +105,7 @@ void print_refused(const std::string& file, const Options& options, const std::s
             << "},\"peak_mb\":" << mb << "}" << std::endl;
 }
 
-// the first places where a claim is not proved
+// Returns the first places where a claim is not proved.
 std::string places(const BS::Certificate_report& certificate)
 {
   std::ostringstream out;
@@ -158,7 +160,7 @@ Topology topology(const Mesh& mesh)
            long(mesh.number_of_vertices()) - long(mesh.number_of_edges()) + long(mesh.number_of_faces()) };
 }
 
-// the shell's two surfaces beside the mesh that was certified, which may have vertices without facets
+// Returns properties of the shell's two surfaces, and of the certified mesh without isolated vertices.
 template <typename Shell, typename Certificate>
 std::string surfaces(const Options& options, const Shell& shell, const Certificate& certificate)
 {
@@ -186,7 +188,7 @@ std::string surfaces(const Options& options, const Shell& shell, const Certifica
   return out.str();
 }
 
-// the smallest and the largest threshold; none, if the shell is empty
+// Returns the smallest and the largest threshold, or an empty range if the shell is empty.
 template <typename Shell>
 BS::Level_range threshold_range(const Shell& shell)
 {
@@ -203,7 +205,7 @@ BS::Level_range threshold_range(const Shell& shell)
   return range;
 }
 
-// what became of vertices whose facets leave little room for a common direction
+// Returns the outcomes for vertices whose facets barely face a common direction.
 std::string truncation(const BS::Shell_report& r)
 {
   typedef BS::Truncation_report::Outcome Outcome;
@@ -221,7 +223,7 @@ std::string truncation(const BS::Shell_report& r)
   return out.str();
 }
 
-// what belongs to a proxy
+// Returns the properties of a proxy.
 std::string proxy_properties(const BS::Shell_of_soup_3& result)
 {
   if(!result.proxy) return "";
@@ -355,7 +357,7 @@ void certify(const std::string& file, const Options& options)
         write_files(file, options, shell, certificate), surfaces(options, shell, certificate));
 }
 
-// in a process of its own; reports what the process cannot report any more
+// Certifies in a separate process, and reports if the process dies.
 void certify_apart(const std::string& file, const Options& options)
 {
   CGAL::Real_timer timer;
@@ -363,7 +365,7 @@ void certify_apart(const std::string& file, const Options& options)
   std::cout.flush();
   const pid_t child = fork();
   if(child == 0) {
-    constexpr double late = 1.25; // limits hold but for some passes of CGAL
+    constexpr double late = 1.25; // some passes of CGAL exceed the limit
     if(options.max_seconds > 0) alarm(static_cast<unsigned int>(std::ceil(late * options.max_seconds)));
     try {
       certify(file, options);

@@ -3,8 +3,8 @@
 
    open_meshes.py FOLDER MESH...       (OFF, triangles)
 
-For each mesh, FOLDER gets NAME_holes.off, without the facets near three vertices far apart, and NAME_sheet.off, the largest connected part of
-those facets that face upwards.
+For each mesh, writes two files to FOLDER: NAME_holes.off lacks the facets near three distant vertices, and
+NAME_sheet.off is the largest connected set of facets that face upwards.
 """
 import os
 import sys
@@ -77,7 +77,7 @@ def upward_part(points, facets):
 
 
 def largest_manifold(facets):
-    """drops facets until the borders touch themselves no more"""
+    """Removes facets until borders do not touch themselves."""
     while True:
         outgoing = {}
         edges = {(t[i], t[(i + 1) % 3]) for t in facets for i in range(3)}

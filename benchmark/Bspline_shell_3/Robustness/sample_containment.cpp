@@ -1,5 +1,5 @@
-// The paper's check (Section 5.2) beside the proof: W is the share of Poisson-disk samples on the mesh that lie between
-// the levels. Where containment is proved, W must be one. One JSON object a line.
+// Compares the paper's check (Section 5.2) with the proof: W is the share of Poisson-disk samples on the mesh that lie
+// between the levels. If containment is proved, W must be one. Prints one JSON object per line.
 //
 //   sample_containment [--gamma G[,G...]] [--samples N] FILE...
 #include "../json.h"
@@ -28,12 +28,12 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef CGAL::Surface_mesh<Point_3> Mesh;
 
-// Dart throwing: of uniform samples, each that has none of those kept before within the radius. With a radius of three
-// quarters of the mean spacing, a part of ten times as many samples is enough.
+// Dart throwing: keeps each uniform sample without an earlier kept one within the radius. With a radius of 3/4 of the
+// mean spacing, about ten times as many samples are needed.
 std::vector<Point_3> poisson_disk_samples(const Mesh& mesh, std::size_t size)
 {
   const double radius = 0.75 * std::sqrt(CGAL::Polygon_mesh_processing::area(mesh) / double(size));
-  const double cell = radius / std::sqrt(3.); // holds one sample at most
+  const double cell = radius / std::sqrt(3.); // contains at most one sample
   std::unordered_map<std::uint64_t, std::size_t> grid;
   const auto key = [](std::int64_t i, std::int64_t j, std::int64_t k) {
     constexpr std::uint64_t mask = (1u << 21) - 1;

@@ -1,15 +1,21 @@
 #!/usr/bin/env python3
-"""Writes closed meshes with singular vertices and folded edges, which shells need truncation for, as OFF files.
+"""Writes closed meshes with singular vertices and folded edges, for which shells need truncation, as OFF files.
 
    singular_models.py FOLDER [--cones N]
 
-cone_0000.off and so on (100, or N) are the parts of a ball on one side of a random polyhedral cone, whose apex is singular; cone_tight_00.off and so
-on have parts of the cone about 5 degrees apart. monkey_3.off is a saddle with three ridges, each of which leans over a valley; pleated_6.off is a fan
-of six upright pleats, whose apex is not singular but nearly so, and pleated_leaning_6.off has pleats that lean and is singular. In eight_faces.off two
-opposite octants are joined. The edge of knife_175.off has facets whose normals differ by 175 degrees, and the needle of spike_2.off is a cone with an
-apex angle of two degrees. double_singular.off has two singular vertices with an edge between them, and singular_on_fold.off one at the end of an
-edge whose facets' normals differ by 175 degrees. Each mesh is checked: it is a closed manifold of genus zero, and what should be
-singular is, in exact arithmetic.
+  cone_0000.off, ...       100 or N parts of a ball on one side of a random polyhedral cone with a singular apex
+  cone_tight_00.off, ...   the same, with parts of the cone about 5 degrees apart
+  monkey_3.off             a saddle with three ridges, each of which leans over a valley
+  pleated_6.off            a fan of six upright pleats, whose apex is nearly singular
+  pleated_leaning_6.off    leaning pleats with a singular apex
+  eight_faces.off          two opposite octants, joined
+  knife_175.off            a blade whose edge has facets with normals that differ by 175 degrees
+  spike_2.off              a needle, a cone with an apex angle of two degrees
+  double_singular.off      two singular vertices joined by an edge
+  singular_on_fold.off     a singular vertex at the end of an edge whose facets' normals differ by 175 degrees
+
+Each mesh is checked to be a closed manifold of genus zero. Vertices that should be singular are checked in exact
+arithmetic.
 """
 import argparse
 import fractions
@@ -55,13 +61,13 @@ def angle(a, b):
 
 
 def on_sphere(latitude, longitude):
-    """in degrees"""
+    """Returns a point on the unit sphere; angles are in degrees."""
     a, b = math.radians(latitude), math.radians(longitude)
     return (math.cos(a) * math.cos(b), math.cos(a) * math.sin(b), math.sin(a))
 
 
 def arc_points(p, q, pieces):
-    """of the great arc, with its ends"""
+    """Returns points that divide a great arc, including its ends."""
     a = angle(p, q)
     inner = [[math.sin(a * (pieces - k) / pieces), math.sin(a * k / pieces)] for k in range(1, pieces)]
     return [p] + [unit(tuple(s * x + t * y for x, y in zip(p, q))) for s, t in inner] + [q]
@@ -80,7 +86,7 @@ def angle_to_arc(p, a, b):
 
 
 def fan(points, facets, v):
-    """exact normals of the facets at a vertex"""
+    """Returns the exact normals of the facets at a vertex."""
     normals = []
     for f in facets:
         if v in f:
@@ -90,10 +96,11 @@ def fan(points, facets, v):
 
 
 def is_singular(normals):
-    """whether no direction has a positive product with all normals
+    """Returns whether no direction has a positive product with all normals.
 
-    The directions with nonnegative products form a cone. If the normals span space, each of its extreme rays is orthogonal to two of them, and the
-    sum of all extreme rays is an inner point if there is any. Normals that do not span space are none of the vertices here.
+    The directions with nonnegative products form a cone. If the normals span space, each extreme ray of the cone is
+    orthogonal to two of them. If the cone has inner points, the sum of all extreme rays is one. The normals at all
+    vertices considered here span space.
     """
     if not any(det(*n) for n in itertools.combinations(normals, 3)):
         raise ValueError("the facets at a vertex are flat, or form a wedge")
@@ -107,7 +114,7 @@ def is_singular(normals):
 
 
 def check_manifold(points, facets):
-    """closed, connected, oriented outward, of genus zero"""
+    """Checks that a mesh is closed, connected, oriented outwards, and of genus zero."""
     after = {}
     for f in facets:
         for i in range(3):
@@ -138,7 +145,7 @@ def check_manifold(points, facets):
 
 
 class Sphere_triangulation:
-    """Delaunay, which on a sphere is the convex hull; built point by point"""
+    """An incremental Delaunay triangulation, which on a sphere is the convex hull."""
 
     def __init__(self, points):
         self.points = list(points)
@@ -201,7 +208,7 @@ class Sphere_triangulation:
 
 
 def grid_on_sphere(polygon_points, generator):
-    """points about EDGE apart, turned at random so that none are special, and none too near to the polygon"""
+    """Yields points about EDGE apart, not close to the polygon; a random rotation avoids degeneracies."""
     number = round(4 * math.pi / (EDGE ** 2 * math.sqrt(0.75)))
     z = random_direction(generator)
     x = unit(cross(z, random_direction(generator)))
@@ -219,7 +226,7 @@ def random_direction(generator):
 
 
 def conforming(corners, generator):
-    """a triangulation of the sphere with the polygon's arcs as edges: missing ones are halved till there are none"""
+    """Returns a triangulation of the sphere with the polygon's arcs as edges; missing edges are split."""
     arcs = [arc_points(p, q, math.ceil(angle(p, q) / EDGE)) for p, q in zip(corners, corners[1:] + corners[:1])]
     polygon_points = [p for arc in arcs for p in arc[:-1]]
     grid = list(grid_on_sphere(polygon_points, generator))
@@ -264,7 +271,7 @@ def facets_on_left(sphere, numbers):
 
 
 def zipped(points, inner, outer):
-    """facets between two lines with the same first and last direction, by shorter diagonals"""
+    """Returns facets between two polylines in the same direction, with the shorter diagonals."""
     facets, i, j = [], 0, 0
     while i + 1 < len(inner) or j + 1 < len(outer):
         ahead = []
@@ -279,9 +286,9 @@ def zipped(points, inner, outer):
 
 
 def part_of_ball(corners, generator):
-    """the part whose boundary on the sphere has the polygon with these corners on its left hand; the center is vertex 0
+    """Returns the part of the ball on the left of the polygon with these corners; the center is vertex 0.
 
-    The center has one facet for each arc: the rings around it begin with one of nothing but the polygon's corners.
+    The center has one facet for each arc: the innermost ring around it consists only of the polygon's corners.
     """
     corners = [unit(p) for p in corners]
     sphere, numbers = conforming(corners, generator)
@@ -306,7 +313,10 @@ def part_of_ball(corners, generator):
 
 
 def random_polygon(size, generator, between_corners, between_arcs):
-    """a simple one; angles are in degrees, and the one between arcs has a least and a largest value; nothing if it is not found"""
+    """Returns a simple polygon, or None if none is found.
+
+    Angles are in degrees; `between_arcs` is the permitted range of the least angle between a corner and another arc.
+    """
     corners = []
     for _ in range(50 * size):
         p = random_direction(generator)
@@ -335,7 +345,7 @@ def random_polygon(size, generator, between_corners, between_arcs):
 
 
 def cone(number, between_corners, between_arcs):
-    """Cones of four or five facets are left out: thousands of random ones were not singular."""
+    """Returns a cone of at least six facets: thousands of random ones with four or five were not singular."""
     generator = random.Random(f"{number} {between_corners}")
     while True:
         corners = random_polygon(6 + number % 5, generator, between_corners, between_arcs)
@@ -345,18 +355,21 @@ def cone(number, between_corners, between_arcs):
             mesh = part_of_ball(corners, generator)
         except ValueError:
             continue
-        # rounded points may make a difference
+        # Rounding of points may make a difference.
         if is_singular(fan(*mesh, 0)):
             return mesh
 
 
 def zigzag(ridges, latitude, lean):
-    """Above the polygon is outside. The facets on one side of each ridge face up and the others down if lean, in degrees, is positive: what all of
-    them face would have to be the axis, for symmetry."""
+    """Returns a saddle with ridges and valleys; above the polygon is outside.
+
+    By symmetry, a common direction of the facets would have to be the axis. If `lean`, in degrees, is positive, the
+    facets on one side of each ridge face up, and those on the other side face down.
+    """
     corners = []
     for k in range(ridges):
         corners += [on_sphere(-latitude, 360 * (k - 0.5) / ridges - lean / 2), on_sphere(latitude, 360 * k / ridges + lean / 2)]
-    # the inside is below, so on the left hand of those who walk westward
+    # The inside is below, so it is on the left in westward direction.
     return part_of_ball(corners[::-1], random.Random(ridges))
 
 
@@ -373,7 +386,7 @@ def pleated_leaning(pleats):
 
 
 def joined_octants():
-    """the octants of points with positive and with negative coordinates, a corner of each cut off, and a bridge between the cuts"""
+    """Returns the positive and the negative octant, each with a corner cut off, and a bridge between the cuts."""
     return [(1, 0, 0), (0, 1, 0), on_sphere(65, 90), on_sphere(-25, 180), (0, 0, -1), (0, -1, 0), on_sphere(0, 205), on_sphere(65, 0)]
 
 
@@ -382,7 +395,7 @@ def eight_faces():
 
 
 def singular_on_fold():
-    """A blade of 5 degrees comes out of a face: it adds normals to those of the octants, and so the apex stays singular."""
+    """Returns joined octants with a blade of 5 degrees on a face, which adds normals: the apex remains singular."""
     corners = joined_octants()
     half = math.degrees(math.atan(math.sin(math.radians(50)) * math.tan(math.radians(2.5))))
     corners[1:1] = [on_sphere(0, 45 - half), on_sphere(-50, 45), on_sphere(0, 45 + half)]
@@ -390,7 +403,10 @@ def singular_on_fold():
 
 
 def double_singular():
-    """A staircase of cubes turns around an edge and steps over itself; a slight twist keeps normals from being exactly opposite."""
+    """Returns a staircase of cubes that turns around an edge and passes over itself.
+
+    A slight twist prevents exactly opposite normals.
+    """
     side = [0., 0.5, 1., 1.5, 2.]
     blocks = Blocks(side, side, [0., 0.5, 1., 1.5, 2., 2.5])
     for low, high, cells in ((0., 1., ((0, 0), (1, 0), (1, 1))), (1., 1.5, ((1, 1),)), (1.5, 2.5, ((1, 1), (0, 1), (0, 0)))):
@@ -409,7 +425,7 @@ def double_singular():
 
 
 def knife(angle_of_normals):
-    """a blade of length 1, whose edge is up; it is high enough for a base of 2 percent, but not higher than 1.2"""
+    """Returns a blade of length 1 with its edge up. It is high enough for a base of 2 percent, but at most 1.2."""
     half = math.tan(math.radians(180 - angle_of_normals) / 2)
     height = min(max(0.4, 0.01 / half), 1.2)
     rows, columns = round(height / 0.05), 20
@@ -428,7 +444,7 @@ def knife(angle_of_normals):
 
 
 def spike(apex_angle):
-    """a needle of length 1 on a ball of diameter 1; their rings get closer to each other towards the root and the tip"""
+    """Returns a needle of length 1 on a ball of diameter 1. Rings get closer towards the root and the tip."""
     slope = math.tan(math.radians(apex_angle) / 2)
     polar = [math.pi, 2.7, 2.3, 1.9]
     root = math.asin(2 * slope)

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Writes closed meshes with thin walls, narrow gaps and shallow steps, which are hard for shells, as OFF files for certify_meshes.
+"""Writes closed meshes with thin walls, narrow gaps and shallow steps, difficult input of certify_meshes, as OFF files.
 
    thin_models.py FOLDER
 
-Lengths are parts of the longest side of a model's box, and so are the numbers in names: plate_0.1.off is 0.1 % thick.
+Lengths are fractions of the longest side of a model's box; names contain them in percent: plate_0.1.off is 0.1 % thick.
 """
 import itertools
 import math
@@ -21,7 +21,7 @@ def write(path, points, facets):
 
 
 class Blocks:
-    """A solid made of boxes: cells of a grid with planes at the given coordinates are filled or not."""
+    """A solid made of boxes: each cell of a grid with planes at the given coordinates is filled or empty."""
 
     def __init__(self, *planes):
         self.planes = [sorted(set(p)) for p in planes]
@@ -66,7 +66,7 @@ class Blocks:
 
 
 def revolved(profile, segments):
-    """A curve in the (r, z) half plane, from the axis to the axis, turned around it; the inside is on its left hand."""
+    """Rotates a curve in the (r, z) half plane from axis to axis; the inside is on the left of the curve."""
     points, rings = [], []
     for r, z in profile:
         if r == 0:
@@ -90,7 +90,7 @@ def facets_between(rings, segments):
 
 
 def plate(t):
-    """with nine holes and two ribs"""
+    """Returns a plate with nine holes and two ribs."""
     holes = [(x, x + 0.125) for x in (0.125, 0.4375, 0.75)]
     lines = [0., 1.] + [c for h in holes for c in h]
     ribs = [(0.3, 0.3 + t), (0.625, 0.625 + t)]
@@ -109,13 +109,13 @@ def plain_plate(t):
 
 
 def near_plates(t):
-    """two slabs, t apart"""
+    """Returns two slabs at the distance t."""
     blocks = Blocks([0., 0.2, 0.8, 1.], [0., 0.2, 0.8, 1.], [0., 0.2, 0.2 + t, 0.4 + t])
     return blocks.add((0., 0., 0.), (1., 1., 0.2)).add((0.2, 0.2, 0.2 + t), (0.8, 0.8, 0.4 + t)).mesh()
 
 
 def comb(t):
-    """twenty teeth, t thick"""
+    """Returns a comb with twenty teeth of thickness t."""
     teeth = [(k / 20, k / 20 + t) for k in range(20)]
     blocks = Blocks([c for tooth in teeth for c in tooth], [0., 0.1, 0.6], [0., 0.05])
     blocks.add((0., 0., 0.), (teeth[-1][1], 0.1, 0.05))
@@ -130,7 +130,7 @@ def hollow_box(t):
 
 
 def engraved(t):
-    """letters, t deep"""
+    """Returns a plate with engraved letters of depth t."""
     letters = ("### #.# ### #.. #..", "#.. #.# #.. #.. #..", "### ### ### #.. #..", "..# #.# #.. #.. #..", "### #.# ### ### ###")
     rows = [row.replace(" ", ".") for row in letters]
     width, height = len(rows[0]) + 2, len(rows) + 2
@@ -155,13 +155,13 @@ def wine_glass(t):
 
 
 def bowl(t):
-    """half of a sphere around the origin"""
+    """Returns half of a hollow sphere around the origin."""
     angles = [k / 16 for k in range(25)]
     return revolved([(r * math.sin(a), -r * math.cos(a)) for r, side in ((0.5, angles), (0.5 - t, angles[::-1])) for a in side], 64)
 
 
 def propeller(t):
-    """a twisted blade, t thick in the middle, with a sharp leading and trailing edge"""
+    """Returns a twisted blade of maximum thickness t with sharp edges."""
     chord, sections = 0.2, 40
     points, rings = [], []
     for s in range(sections + 1):

@@ -1,5 +1,5 @@
-// What tuned numbers decide: a certified shell, the mesh simplified and remeshed in it, and its vertices mapped to the
-// remeshed mesh and back. One JSON object a line; times are the processor's.
+// Measures the effect of tuned numbers: builds a certified shell, simplifies and remeshes the mesh in it, and maps its
+// vertices to the remeshed mesh and back. Prints one JSON object per line, with processor times.
 //
 //   tuning_figures MESH...
 #include "../meshes_in_shell.h"
@@ -23,7 +23,7 @@ double processor_seconds()
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-// of processor time since the last call
+// Returns the processor time since the last call.
 double lap()
 {
   static double before = 0;

@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
-"""Halves and doubles each tuned number, and tells what that changes.
+"""Halves and doubles each tuned number, and prints the effects.
 
    tuning_sensitivity.py [--work FOLDER] [--jobs N] [--meshes FOLDER] [WORDS ...]
 
-Tuned numbers are the members of the structs in headers `*_tuning.h`. They are read from the environment in a copy of
-the sources, in FOLDER (build/tuning), so that tuning_figures is compiled once. With WORDS, only numbers are examined
-whose names contain one of them. A fraction above 1/2 is not doubled, but moved half of the way to 1.
+Tuned numbers are the members of the structs in headers `*_tuning.h`. In a copy of the sources in FOLDER (build/tuning),
+they are read from the environment, so that tuning_figures is compiled only once. With WORDS, only numbers whose names
+contain one of these words are examined. Instead of doubling, a fraction above 1/2 is moved half of the way to 1.
 
-Writes a table (Markdown) of the numbers that change something: processor time of shells, simplification, remeshing and
-maps, cells, and facets, relative to what they are; shells that are certified; vertices that the map loses. What stays
-within NOISE is left out. FOLDER keeps what was measured, in figures.json, so that a run that was cut off goes on.
+Prints a table (Markdown) of the numbers with an effect: processor times of shells, simplification, remeshing and maps,
+and numbers of cells and facets, relative to their present values; certified shells; and vertices that the map loses.
+Differences up to NOISE are omitted. FOLDER stores the measurements in figures.json, so an interrupted run can be
+resumed.
 """
 import argparse
 import concurrent.futures
@@ -48,7 +49,7 @@ def run(command, **options):
 
 
 def tuned_numbers(text):
-    """names and values of the numbers of a header, and the header with all of them read from the environment"""
+    """Returns names and values of a header's numbers, and the header with numbers read from the environment."""
     struct = re.search(r"struct (\w+_tuning)\b", text).group(1)
     numbers = {}
 
@@ -64,7 +65,7 @@ def tuned_numbers(text):
 
 
 def stage(source):
-    """copies the sources; returns all numbers, and a checksum of the sources"""
+    """Copies the sources; returns all numbers, and a checksum of the sources"""
     numbers, checksum = {}, hashlib.sha256()
     for top in ("CMakeLists.txt", "cmake", "include", "src", "benchmark", "test"):
         top = os.path.join(ROOT, top)
@@ -94,7 +95,7 @@ def build(source, folder):
 
 
 def changed(kind, value, factor):
-    """half of a number, or twice as much"""
+    """Returns half of a number, or twice the number."""
     if factor > 1 and 0.5 < value < 1:
         return (1 + value) / 2
     return value * factor if kind == "double" else math.floor(value * factor + 0.5)
@@ -116,7 +117,7 @@ def measure(program, meshes, name=None, value=None):
 
 
 def compare(before, after):
-    """what differs: ratios of sums over the meshes that both have certified, and counts"""
+    """Returns the differences: ratios of sums over the meshes that are certified in both, and counts."""
     differences = []
     both = [m for m in before if before[m]["certified"] and after[m]["certified"]]
     for key, text in (("shell_seconds", "time of shells"), ("cells", "cells"), ("simplify_seconds", "time of simplification"),

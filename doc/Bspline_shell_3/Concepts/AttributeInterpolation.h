@@ -13,9 +13,9 @@ corners.
 class AttributeInterpolation
 {
 public:
-  /// The value at a location, from those at the corners and barycentric coordinates, whose sum is one. They are not
-  /// negative, but for `transfer_corner_attribute()`, which extrapolates across seams. Called from one thread at a
-  /// time.
+  /// returns the value at a location, from the values at the corners and barycentric coordinates with the sum one. The
+  /// coordinates are nonnegative, except in `transfer_corner_attribute()`, which extrapolates across seams. Calls are
+  /// sequential.
   template <typename T>
   T operator()(const std::array<T, 3>& values, const std::array<double, 3>& barycentric) const;
 };

@@ -3,8 +3,8 @@
 \cgalConcept
 
 The concept `BsplineField_3` describes a real function that is \f$C^2\f$ and, on each of the closed cubic *cells* that
-make up its domain, a tricubic polynomial. Bounds, shells and level sets know a field by its cells only: by their boxes,
-their Bernstein coefficients and their neighbors. They do not know how the coefficients came about.
+make up its domain, a tricubic polynomial. Bounds, shells and level sets access only the cells of a field: their boxes,
+Bernstein coefficients and neighbors. They do not depend on the origin of the coefficients.
 
 Const member functions may be called from several threads at once. Models are default constructible (a field without
 cells), copyable and movable.
@@ -34,14 +34,14 @@ public:
   /// A vector, constructible from three `double`s.
   typedef unspecified_type Vector_3;
 
-  /// A cell with its polynomial: `CGAL::Bspline_shells::Tricubic_cell_3`. It is a view, valid as long as the field is
-  /// neither changed nor destroyed.
+  /// A cell with its polynomial: `CGAL::Bspline_shells::Tricubic_cell_3`. It is a view, valid until the field is
+  /// changed or destroyed.
   typedef unspecified_type Cell;
 
   /// The number of a cell, an unsigned integer. The cells of a field are numbered from 0.
   typedef unspecified_type Cell_index;
 
-  /// The number of no cell.
+  /// A number that no cell has.
   static constexpr Cell_index npos;
 
   /// @}
@@ -49,54 +49,53 @@ public:
   /// \name Cells
   /// @{
 
-  /// the number of cells
+  /// returns the number of cells.
   std::size_t number_of_cells() const;
 
-  /// a cell
+  /// returns a cell.
   Cell cell(Cell_index c) const;
 
-  /// a cell that contains `p`, or `npos` if `p` is outside the domain or has a coordinate that is not finite. Cells are
-  /// closed: a point on a common face may get either cell.
+  /// returns a cell that contains `p`, or `npos` if `p` is outside the domain or has a coordinate that is not finite.
+  /// Cells are closed: for a point on a common face, either cell may be returned.
   Cell_index locate(const Point_3& p) const;
 
-  /// whether corners of cells are exact, also those of cells halved up to eight times: `corner()[a] + i * width() /
-  /// 256` is computed without rounding for 0 <= i <= 256, and gives the same `double`s for all cells that have the
-  /// corner. Nothing is proved for a field without.
+  /// returns whether corners of cells are exact, also those of cells halved up to eight times. For 0 <= i <= 256,
+  /// `corner()[a] + i * width() / 256` must be computed without rounding. It must be the same `double` for all cells
+  /// that have the corner. Nothing is proved for other fields.
   bool has_exact_cells() const;
 
-  /// calls `visit(n)` for every cell that has a part of a face of `c` in common, the one that is orthogonal to an axis
-  /// (0, 1 or 2), on the side of larger (`positive`) or smaller coordinates; returns whether there is any. If a part of
-  /// the face is on the boundary of the domain, all of it is.
+  /// calls `visit(n)` for every neighbor of `c` at a face, and returns whether there is any. The face is orthogonal to
+  /// an axis (0, 1 or 2), on the side of larger (`positive`) or smaller coordinates. A neighbor has a part of the face
+  /// in common with `c`. If a part of the face is on the boundary of the domain, all of it is.
   template <typename Visitor>
   bool visit_neighbors(Cell_index c, int axis, bool positive, const Visitor& visit) const;
 
-  /// calls `visit(c)` once for each cell that meets the closed box; returns whether the cells cover the box
+  /// calls `visit(c)` once for each cell that meets the closed box, and returns whether the cells cover the box.
   template <typename Visitor>
   bool visit_cells(const CGAL::Bbox_3& box, const Visitor& visit) const;
 
-  /// the 64 Bernstein coefficients of the function on a cell, exact if `NT` is an exact number type: for signs that
-  /// rounded coefficients leave open
+  /// returns the 64 Bernstein coefficients of the function on a cell. If `NT` is an exact number type, they are exact,
+  /// and determine signs for which rounded coefficients are not sufficient.
   template <typename NT>
   std::array<NT, 64> bernstein_coefficients(Cell_index c) const;
 
-  /// the cells as cells of lattices, under the same numbers: a `Cell_complex_3` or a `Cell_hierarchy_3`. Only
-  /// fits, `extract_level_set()` and the file functions ask for it; bounds, predicates, certificate and containment do
-  /// not.
+  /// returns the cells as cells of lattices, with the same numbers: a `Cell_complex_3` or a `Cell_hierarchy_3`. Only
+  /// fits, `extract_level_set()` and the file functions use it. Bounds, predicates, certificate and containment do not.
   const unspecified_type& cells() const;
 
   /// @}
 
   /// \name Evaluation
-  /// What is asked for outside the domain is empty. Derivatives are per user unit.
+  /// These functions return an empty object outside the domain. Derivatives are per user unit.
   /// @{
 
-  /// the value
+  /// returns the value.
   std::optional<FT> value(const Point_3& p) const;
 
-  /// the gradient
+  /// returns the gradient.
   std::optional<Vector_3> gradient(const Point_3& p) const;
 
-  /// the matrix of second derivatives
+  /// returns the matrix of second derivatives.
   std::optional<Eigen::Matrix3d> hessian(const Point_3& p) const;
 
   /// @}

@@ -2,10 +2,10 @@
 \ingroup PkgBsplineShell3Concepts
 \cgalConcept
 
-The concept `FittableBsplineField_3` describes a field that an energy can be fitted to: a linear function of its *free*
-coefficients, the unknowns. On a lattice of each level, the field has coefficients at *points*; those at points without
-a free coefficient depend linearly on the free ones. On each leaf cell, the 64 coefficients at the points around it make
-the polynomial.
+The concept `FittableBsplineField_3` describes a field to which an energy can be fitted: a linear function of its *free*
+coefficients, the unknowns. On a lattice of each level, the field has coefficients at *points*. Coefficients at points
+without a free coefficient depend linearly on the free ones. On each leaf cell, the 64 coefficients at the points around
+it determine the polynomial.
 
 Points of all levels are numbered together, level by level, and so are free coefficients. Numbers are of type
 `Cell_index`.
@@ -24,28 +24,29 @@ public:
   /// \name Points and Coefficients
   /// @{
 
-  /// the number of levels of cells
+  /// returns the number of levels of cells.
   int number_of_levels() const;
 
-  /// the number of points, of all levels
+  /// returns the number of points of all levels.
   std::size_t number_of_points() const;
 
-  /// the points of a level, in the order of their numbers
+  /// returns the points of a level, in the order of their numbers.
   const CGAL::Bspline_shells::Lattice_set_3& points(int level) const;
 
-  /// the number of the first point of a level
+  /// returns the number of the first point of a level.
   Cell_index first_point(int level) const;
 
-  /// the number of unknowns
+  /// returns the number of unknowns.
   std::size_t number_of_coefficients() const;
 
-  /// the free coefficient at a point, or `npos` if the coefficient there depends on others
+  /// returns the free coefficient at a point, or `npos` if the coefficient there depends on others.
   Cell_index coefficient_of_point(Cell_index point) const;
 
-  /// the point of a free coefficient
+  /// returns the point of a free coefficient.
   Cell_index point_of_coefficient(Cell_index coefficient) const;
 
-  /// for each of the sixteen rows of four consecutive points around a leaf cell, the number of its first point
+  /// returns, for each of the sixteen rows of four consecutive points around a leaf cell, the number of its first
+  /// point.
   std::array<Cell_index, 16> coefficient_rows(Cell_index c) const;
 
   /// @}
@@ -53,10 +54,10 @@ public:
   /// \name Coefficients at All Points
   /// @{
 
-  /// the coefficients at all points, from the free ones: a linear map
+  /// returns the coefficients at all points, computed from the free ones by a linear map.
   Eigen::VectorXd extend(const Eigen::VectorXd& x) const;
 
-  /// the transposed map
+  /// applies the transposed map.
   Eigen::VectorXd collect(const Eigen::VectorXd& all) const;
 
   /// @}

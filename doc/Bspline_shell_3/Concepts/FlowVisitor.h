@@ -2,8 +2,8 @@
 \ingroup PkgBsplineShell3Concepts
 \cgalConcept
 
-The concept `FlowVisitor` describes what is told how many of many points have been moved along their curves, and may
-stop the rest.
+The concept `FlowVisitor` describes visitors of functions that move many points along their curves: they receive the
+progress and can stop the function.
 
 \cgalHasModel `CGAL::Bspline_shells::Default_flow_visitor`
 
@@ -12,8 +12,8 @@ stop the rest.
 class FlowVisitor
 {
 public:
-  /// Called from the calling thread, after every 16384 points and at the end; the points are not dealt with in the
-  /// order in which they are given. `false` stops: the points that are left have no image, and the status
+  /// called by the thread that called the function, after every 16384 points and at the end. Points are not processed
+  /// in the given order. If `false` is returned, the remaining points have no image, and the status
   /// `CGAL::Bspline_shells::Flow_status::CANCELED`.
   bool advance(std::size_t done, std::size_t total);
 };

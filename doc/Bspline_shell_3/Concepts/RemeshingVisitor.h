@@ -16,11 +16,11 @@ public:
   /// @{
 
   /// called when an iteration begins, the first being 0, by the thread that called `remesh_in_shell()`.
-  /// \return whether to go on
+  /// \return whether to continue
   bool start_iteration(unsigned int iteration);
 
-  /// called before each operation, by the same thread, and so to be cheap.
-  /// \return whether to go on
+  /// called before each operation, by the same thread; it must be fast.
+  /// \return whether to continue
   bool go_on();
 
   /// @}

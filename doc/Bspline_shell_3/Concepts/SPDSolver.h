@@ -21,9 +21,9 @@ public:
   /// \name Operations
   /// @{
 
-  /// takes, and may factorize, a matrix. `lower` holds the lower triangle alone, in compressed columns with ascending
-  /// rows. It stays as it is until the last call to `solve()`, so that the solver may refer to it.
-  /// `blocks` are sets of unknowns that are strongly coupled, for preconditioners; it need not outlive the call.
+  /// receives, and may factorize, a matrix. `lower` holds only the lower triangle, in compressed columns with ascending
+  /// rows. It does not change until the last call to `solve()`, so the solver may refer to it. `blocks` are sets of
+  /// strongly coupled unknowns, for preconditioners. They are valid only during the call.
   /// \return `SUCCESS`, or the reason why the system cannot be solved; `solve()` is not called then
   CGAL::Bspline_shells::Solver_status compute(const Eigen::SparseMatrix<double>& lower,
                                               const CGAL::Bspline_shells::Unknown_blocks& blocks);
@@ -38,13 +38,13 @@ public:
   /// @}
 
   /// \name Queries
-  /// for reports; of the last call to `solve()`, and whatever before the first
+  /// For reports on the last call to `solve()`. Before the first call, the values are unspecified.
   /// @{
 
-  /// the number of iterations; 1 for a direct solver
+  /// returns the number of iterations; 1 for a direct solver.
   std::size_t iterations() const;
 
-  /// the relative residual \f$|b - Ax| / |b|\f$
+  /// returns the relative residual \f$|b - Ax| / |b|\f$.
   double residual() const;
 
   /// @}

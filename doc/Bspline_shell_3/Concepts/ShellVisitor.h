@@ -2,11 +2,10 @@
 \ingroup PkgBsplineShell3Concepts
 \cgalConcept
 
-The concept `ShellVisitor` describes objects that are told how far the construction of a shell has come, and may stop
-it.
+The concept `ShellVisitor` describes visitors that receive the progress of the construction of a shell and can stop it.
 
-A visitor need not be copyable if it is passed with `std::ref()`; one that is passed by value is copied before its first
-use, so that its state is lost.
+A visitor need not be copyable if it is passed with `std::ref()`. A visitor that is passed by value is copied before its
+first use, so the caller's object does not receive its state.
 
 \cgalHasModel `CGAL::Bspline_shells::Default_shell_visitor`
 
@@ -19,15 +18,14 @@ public:
   /// \name Operations
   /// @{
 
-  /// called when a step begins, by the thread that called `CGAL::bspline_shell_3()`. The steps come in the order of
-  /// `CGAL::Bspline_shells::Shell_step`; where the shell runs out of the cells and more are added, those from `CELLS`
-  /// on are repeated, and those from `DISTANCE` on in each round of refinement.
-  /// \return whether to go on; `false` ends the construction with `CGAL::Bspline_shells::Shell_status::CANCELED`
+  /// called when a step begins, by the thread that called `CGAL::bspline_shell_3()`. Steps are in the order of
+  /// `CGAL::Bspline_shells::Shell_step`. If the shell leaves the cells and more cells are added, steps from `CELLS` on
+  /// are repeated. Each round of refinement repeats the steps from `DISTANCE` on.
+  /// \return whether to continue; `false` ends the construction with `CGAL::Bspline_shells::Shell_status::CANCELED`
   bool start_step(CGAL::Bspline_shells::Shell_step step);
 
-  /// called often within each step, by the same thread, and so to be cheap; optional.
-  /// \return whether to go on; `false` ends the construction with the status
-  ///         `CGAL::Bspline_shells::Shell_status::CANCELED`
+  /// called often within each step, by the same thread; it must be fast. Optional.
+  /// \return whether to continue; `false` ends the construction with `CGAL::Bspline_shells::Shell_status::CANCELED`
   bool go_on();
 
   /// @}

@@ -2,15 +2,15 @@
 \ingroup PkgBsplineShell3Concepts
 \cgalConcept
 
-The concept `SignedDistanceOracle_3` describes functors that answer how far a point is from a surface and on which side
-of it: what the field of a shell is fitted to.
+The concept `SignedDistanceOracle_3` describes functors that return the signed distance of a point from a surface. The
+field of a shell is fitted to it.
 
-The function should be a distance near the mesh of the shell, that is, grow by about one per unit of length across it,
-in the direction that the facets face: for facets that face outwards it is negative inside. It is sampled in all cells
-of the field, at two points per cell and axis.
+Near the mesh of the shell, the function should be a distance: across the mesh, it grows by about one per unit of
+length, in the direction that the facets face. If facets face outwards, it is negative inside. It is sampled in all
+cells of the field, at two points per cell and axis.
 
-The functor is called from several threads at once, unless the construction is asked to be sequential. It need be
-neither copyable nor assignable if it is passed with `std::cref()`.
+The functor is called from several threads at once, unless a sequential construction is requested. If it is passed with
+`std::cref()`, it need be neither copyable nor assignable.
 
 \cgalHasModel `CGAL::Bspline_shells::Mesh_signed_distance_3`
 
@@ -34,7 +34,7 @@ public:
   /// \name Operations
   /// @{
 
-  /// the signed distance, in user units, finite
+  /// returns the signed distance, in user units. It must be finite.
   FT operator()(const Point_3& p) const;
 
   /// @}

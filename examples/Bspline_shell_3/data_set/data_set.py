@@ -1,4 +1,4 @@
-"""What a data set is: its meshes, their names, the batches they are dealt to, and the options they are processed with."""
+"""Describes a data set: its meshes, their names and batches, and the options for processing."""
 import hashlib
 from collections import Counter
 from pathlib import Path
@@ -6,17 +6,17 @@ from pathlib import Path
 FORMATS = {".off", ".obj", ".ply", ".stl"}
 DEFAULTS = {
     "program": str(Path(__file__).resolve().parents[3] / "build/data_set/examples/Bspline_shell_3/simplify_and_transfer"),
-    "facets": 0,                # of the simplified meshes; 0: as few as the shell allows
-    "time_limit": 300,          # seconds for a mesh, without its picture; shell and simplification get 0.8 of them
-    "memory_limit": 4000,       # megabytes for a mesh; the shell is to be content with two thirds of them
+    "facets": 0,                # target number of facets; 0: as few as the shell allows
+    "time_limit": 300,          # seconds per mesh, without its picture; shell and simplification get 80 %
+    "memory_limit": 4000,       # megabytes per mesh; the shell gets two thirds
     "pictures": True,
     "keep": "mesh simplified places inner outer",       # PLY files
-    "batch": 20,                # meshes for a job
+    "batch": 20,                # meshes per job
 }
 
 
 def options(config):
-    """Those of the configuration, and defaults for the others, each of the type of its default."""
+    """Returns the options: those of the configuration, converted to the type of their default, and other defaults."""
     if not config.get("meshes"):
         raise ValueError("Name a folder or a list: --config meshes=FOLDER")
     unknown = set(config) - set(DEFAULTS) - {"meshes"}
@@ -32,7 +32,7 @@ def options(config):
 
 
 def files_of(meshes):
-    """All meshes in a folder and the folders in it, or those that a file lists, one a line, relative to its own folder."""
+    """Returns all meshes in a folder and its subfolders, or those in a list, one per line, relative to its folder."""
     meshes = Path(meshes).absolute()
     if meshes.is_dir():
         return sorted(path for path in meshes.rglob("*") if path.suffix.lower() in FORMATS and path.is_file())
@@ -41,19 +41,19 @@ def files_of(meshes):
 
 
 def plain(text):
-    """Without characters that shells, snakemake or links could take for something else."""
+    """Replaces characters that are special in shells, snakemake or links."""
     return "".join(c if c.isalnum() or c in "-_+=" else "_" for c in text)
 
 
 def name_of(path, stems):
-    """The file's name; where several have the same, with the format, and with a part that belongs to this path alone."""
+    """Returns the file's name. If it is not unique, appends the format and a part that is unique to the path."""
     if stems[plain(path.stem)] == 1:
         return plain(path.stem)
     return f"{plain(path.stem)}_{path.suffix[1:].lower()}_{hashlib.sha256(str(path).encode()).hexdigest()[:6]}"
 
 
 def batches_of(files, size):
-    """Lists of (name, file). Meshes are dealt out by size, so that all batches take about as long."""
+    """Returns lists of (name, file). Meshes are distributed by size, so that all batches take similar times."""
     stems = Counter(plain(path.stem) for path in files)
     by_size = sorted(files, key=lambda path: (-path.stat().st_size if path.exists() else 0, path))
     number = -(-len(files) // size)
@@ -61,7 +61,7 @@ def batches_of(files, size):
 
 
 def state(file):
-    """What tells a file from a changed one."""
+    """Returns data that changes if the file changes."""
     try:
         return [str(file), file.stat().st_size, file.stat().st_mtime_ns]
     except OSError:

@@ -1,6 +1,6 @@
-"""Writes what became of a data set: table.csv, index.html, and a page for each mesh. They need no network.
+"""Writes the results of a data set: table.csv, index.html, and a page for each mesh. They work offline.
 
-Usage: pages.py BATCHES     (BATCHES: how many files batches/N.jsonl there are)
+Usage: pages.py BATCHES     (BATCHES: the number of files batches/N.jsonl)
 """
 import csv
 import io
@@ -20,7 +20,7 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 BLUE, RED, SOFT = "#336bd9", "#d94033", "#5b6472"
 
-# columns: key, title, format, and what it is
+# columns: key, title, format, description
 COLUMNS = (
     ("kind", "Kind", str, "what the shell is of: the mesh itself, closed or not, or a proxy of what is no mesh"),
     ("facets", "Facets", "{:,}", "of the mesh, or of the proxy"),
@@ -35,21 +35,21 @@ EXTRA = "file", "exit", "reason", "cpu_seconds", "points", "points_lost", "drawi
 
 
 def write(path, text):
-    """Completely or not at all."""
+    """Writes a complete file, or none."""
     part = Path(f"{path}.part")
     part.write_text(text, encoding="utf-8")
     part.replace(path)
 
 
 def row(record):
-    """A record's line in the table."""
+    """Returns a record's row of the table."""
     report, simplified = record.get("report") or {}, record.get("simplified") or {}
     shell, trip = report.get("shell", {}), simplified.get("round_trip", {})
     unit = shell.get("unit")
     certified = report.get("status") == "certified"
     return {
         "name": record["name"], "outcome": record["outcome"], "kind": report.get("kind"),
-        # the report also counts what closes an open mesh
+        # The report also counts facets that close an open mesh.
         "facets": simplified.get("facets_before", shell.get("facets")),
         "simplified_facets": simplified.get("facets"), "thickness": 100 * shell["thickness"] / unit if certified else None,
         "cells": shell.get("cells"), "round_trip": trip["farthest"] / unit if trip else None, "seconds": record.get("seconds"),
@@ -73,7 +73,7 @@ def shown(value, form):
 
 
 def plot(draw, title):
-    """A drawing in the page itself."""
+    """Returns a plot as inline SVG."""
     figure, axes = plt.subplots(figsize=(4.2, 2.4), layout="constrained")
     draw(axes)
     axes.set_title(title, loc="left", fontsize=10, color="#1d2129")
@@ -162,7 +162,7 @@ def obstacles(report):
 
 
 def offenders(report):
-    """Facets and vertices that the mesh itself is refused for."""
+    """Returns the facets and vertices due to which the mesh itself is refused."""
     return [(f"Offending {what}", ", ".join(map(str, found[:10])) + (" ..." if len(found) > 10 else ""))
             for what in ("facets", "vertices") if (found := report.get("mesh_itself", {}).get(what))]
 

@@ -1,9 +1,9 @@
-"""Makes one batch of a data set: runs the program on each of its meshes, within limits, draws the result, and records what became of it.
+"""Processes one batch of a data set: runs the program on each mesh within limits, draws and records the result.
 
-Usage: run_meshes.py OPTIONS NUMBER RECORDS     (OPTIONS: in JSON; RECORDS: what is written when the batch is complete)
+Usage: run_meshes.py OPTIONS NUMBER RECORDS     (OPTIONS: in JSON; RECORDS: written when the batch is complete)
 
-Every mesh has a folder, in which record.json is written last. A mesh that has a record for the same file and options is not made again. Whatever is
-wrong with a mesh ends up in its record: this script fails only if it cannot write.
+Every mesh has a folder, in which record.json is written last. If it has a record for the same file and options, it is
+not processed again. All problems of a mesh are stored in its record. This script fails only if it cannot write.
 """
 import json
 import multiprocessing
@@ -27,7 +27,7 @@ THUMBNAIL = 320, 120
 
 
 def write(path, text):
-    """Completely or not at all."""
+    """Writes a complete file, or none."""
     part = path.with_name(path.name + ".part")
     part.write_text(text, encoding="utf-8")
     part.replace(path)
@@ -39,7 +39,10 @@ def limit_memory(megabytes):
 
 
 class Drawing:
-    """Pictures are drawn in forks of this process, which may lose the X server; Python, VTK and the server are started but once."""
+    """Draws pictures in forks of this process, as losing the X server ends a process.
+
+    Python, VTK and the server are started only once.
+    """
 
     def __init__(self):
         self.server = None
@@ -47,7 +50,7 @@ class Drawing:
     def start(self):
         from PIL import Image
         sys.path.append(str(Path(__file__).resolve().parents[1]))
-        os.environ["LP_NUM_THREADS"] = "1"      # of the software that renders
+        os.environ["LP_NUM_THREADS"] = "1"      # threads of the software renderer
         import render_shell
         self.renderer, self.image = render_shell, Image
         read, write_end = os.pipe()
@@ -76,7 +79,7 @@ class Drawing:
             small.save(picture.with_name("thumbnail.png"))
 
     def __call__(self, prefix, picture, megabytes, log):
-        """Whether it was drawn."""
+        """Returns whether the picture was drawn."""
         for _ in range(ATTEMPTS):
             if not self.server or self.server.poll() is not None:
                 self.start()
@@ -93,7 +96,7 @@ class Drawing:
 
 
 def run(command, seconds, megabytes, log):
-    """The exit code, negative for a signal, whether time was over, and what it took."""
+    """Returns the exit code (negative for a signal), whether the time limit was reached, and times and memory."""
     start = time.monotonic()
     over = threading.Event()
     with open(log, "wb") as out:
@@ -112,7 +115,7 @@ def run(command, seconds, megabytes, log):
             raise
         finally:
             timer.cancel()
-        process.returncode = os.waitstatus_to_exitcode(status)      # it is waited for here, as only this tells how much memory it took
+        process.returncode = os.waitstatus_to_exitcode(status)      # `wait4()` reports the peak memory
     return process.returncode, over.is_set(), {
         "seconds": round(time.monotonic() - start, 3), "cpu_seconds": round(usage.ru_utime + usage.ru_stime, 3),
         "peak_mb": round(usage.ru_maxrss * 1024 / 10**6, 1)}
@@ -124,7 +127,7 @@ def first_line(log):
 
 
 def outcome(code, over, log, file, options):
-    """In two or three words, which are counted, and in a sentence, which does not name the file."""
+    """Returns the outcome in two or three words, which are counted, and in a sentence without the file name."""
     said = re.sub(rf"^{re.escape(str(file))}(, line \d+)?: ", "", first_line(log))
     if over:
         return "time limit", f"It was ended after {options['time_limit']} s."
@@ -147,13 +150,13 @@ def read_json(path):
 
 
 def make(name, file, options, folder, draw):
-    """The record of a mesh, which is made unless it is complete."""
+    """Returns the record of a mesh, which is processed unless the record is complete."""
     made_from = data_set.state(file)
     made_with = {key: options[key] for key in ("checksum", "facets", "time_limit", "memory_limit", "pictures", "keep")}
     old = read_json(folder / "record.json")
     if old and old["made_from"] == made_from and old["made_with"] == made_with:
         return old
-    # a mesh that takes this process with it, as some limits of clusters do, is not tried for ever
+    # If a mesh kills this process, for example by limits of a cluster, the number of attempts is limited.
     mark = folder / "running"
     deaths = int(mark.read_text() or 0) if mark.exists() else 0
     if deaths < ATTEMPTS:
@@ -183,7 +186,7 @@ def make(name, file, options, folder, draw):
                 Path(f"{prefix}_{part}.ply").unlink(missing_ok=True)
         for key, path in ("report", Path(f"{prefix}.json")), ("simplified", Path(f"{prefix}_simplified.json")):
             record[key] = read_json(path)
-    except BaseException:       # this run was ended, which is not the mesh's fault
+    except BaseException:       # this run was ended, not due to the mesh
         mark.unlink(missing_ok=True)
         raise
     write(folder / "record.json", json.dumps(record, indent=1))

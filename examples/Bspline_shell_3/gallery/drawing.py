@@ -1,6 +1,6 @@
-"""What the gallery draws beside the figures of the manual, and what it measures in colored meshes.
+"""Drawings and measurements of the gallery, in addition to those of the manual.
 
-Usage: drawing.py MODULE.FUNCTION ARGUMENTS         calls a function that draws; its arguments are a list in JSON
+Usage: drawing.py MODULE.FUNCTION ARGUMENTS         calls a drawing function; its arguments are a list in JSON
 """
 import importlib
 import json
@@ -9,14 +9,14 @@ import sys
 import numpy as np
 from vtk.util.numpy_support import vtk_to_numpy
 
-import paths        # where the next module is    # noqa: F401
+import paths        # adds the folders of the next modules    # noqa: F401
 from palette import FACET, INNER, MESH, OUTER, figure, save
 from render_shell import half, read
 from rendering import edges, fit, painted, plane, render, show, surface
 
 
 def draw_layers(shells, picture):
-    """Shells, each of which is taken off layer by layer: the outer surface, the mesh, the inner surface."""
+    """Draws shells with layers removed one by one: the outer surface, the mesh, the inner surface."""
     size = 650, 520
     fig, rows = figure(2, 2, 780)
     for axes, (prefix, title, direction, up, along) in zip(rows.flat, shells):
@@ -34,9 +34,11 @@ def draw_layers(shells, picture):
 
 
 def wrong_side(name):
-    """The share of the area that has the color of the other side, of a bowl around the origin that is yellow inside.
+    """Returns the fraction of the area that has the color of the other side.
 
-    Facets of the rim face neither inwards nor outwards, and do not count."""
+    The mesh is a bowl around the origin that is yellow inside. Facets of the rim face neither inwards nor outwards, and
+    do not count.
+    """
     data = painted(name)
     corners = vtk_to_numpy(data.GetPoints().GetData())[vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)].astype(float)
     normals, centers = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), corners.mean(axis=1)

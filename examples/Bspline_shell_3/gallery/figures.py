@@ -1,4 +1,4 @@
-"""The figures of the gallery: what each shows, what the paper says about it, how it is made, and what is measured in it."""
+"""The figures of the gallery: contents, quotation of the paper, programs, and measurements."""
 import json
 from collections import namedtuple
 
@@ -6,13 +6,13 @@ from paths import MESHES, ROOT
 from results import NOT_GIVEN, Results, count, parsed, percent
 from studies import make_gamma, make_gamma_impact, make_mu
 
-# `thumbnail` is the part of the first picture that stands for the figure: how wide the picture is, and where it is, in percent as CSS has them.
-# `programs` are those that `make` runs; it returns Results.
+# `thumbnail` is the part of the first picture that represents the figure: width of the picture and its position, as
+# percentages in CSS. `programs` are run by `make`, which returns Results.
 Figure = namedtuple("Figure", "name title text quotation source thumbnail programs make")
 
 
 def make_shells(making):
-    # direction of view, up, and the direction in which layers are taken off
+    # direction of view, up, and the direction in which layers are removed
     views = {
         "armadillo": ((0.5, 0.3, -1), (0, 1, 0), (0, 1, 0)),
         "couplingdown": ((0.5, -1, 0.6), (0, 0, 1), (1, 0, 0)),
@@ -157,7 +157,7 @@ def make_self_intersections(making):
 
 
 def make_fields(making):
-    # mesh, directions, facets of the simplified one, and what is drawn: direction of view, and up
+    # mesh, directions, target number of facets; direction of view and up of the drawing
     fields = [
         ("elephant", 1, 1200, ((0.4, 0.15, 1), (0, 1, 0))),
         ("bunny00", 4, 2000, ((0.2, 0.2, 1), (0, 1, 0))),

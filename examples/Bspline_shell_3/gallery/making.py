@@ -1,4 +1,4 @@
-"""Runs the programs of one figure and draws what they write, with a line of progress for each step."""
+"""Runs the programs of one figure and draws their output, with a line of progress for each step."""
 import json
 import os
 import shutil
@@ -9,30 +9,30 @@ from pathlib import Path
 
 from paths import BUILD, HERE, RESULTS, ROOT
 
-MAX_SECONDS = 300       # of a program
-ATTEMPTS = 2            # at a picture
+MAX_SECONDS = 300       # per program
+ATTEMPTS = 2            # per picture
 
 
 class Failure(Exception):
-    """Has a sentence for the page."""
+    """A failure, with a sentence for the page."""
 
 
 def last_line(done):
-    """Of what a process said before it failed."""
+    """Returns the last line of a process's output."""
     return (done.stderr.strip() or done.stdout.strip() or f"It ended with {done.returncode}.").splitlines()[-1]
 
 
 class Making:
-    """All is written into `folder`, which gets the name of the figure when it is complete."""
+    """Makes a figure in `folder`, which is renamed to the figure's name when it is complete."""
 
     def __init__(self, name):
         self.name = name
         self.folder = RESULTS / f"{name}.part"
-        self.commands = []          # and the seconds of each
-        self.step = ""              # its line of progress has no end yet
+        self.commands = []          # pairs of a command and its seconds
+        self.step = ""              # set while a line of progress is unfinished
 
     def run(self, program, *arguments, folder="."):
-        """What the program prints. It runs in a folder of its own, if one is named."""
+        """Runs a program, in a separate folder if one is given, and returns its output."""
         if not (BUILD / program).exists():
             raise Failure(f"{program} was not built; {BUILD.relative_to(ROOT)}/build.log says why.")
         return self._run([BUILD / program, *arguments], folder)
@@ -41,7 +41,10 @@ class Making:
         return self._run(["python3", path, *arguments], ".")
 
     def draw(self, function, *arguments):
-        """The last argument is the picture's name. VTK needs an X server, and ends the process if it loses it: then another one is tried."""
+        """Draws a picture; its name is the last argument.
+
+        VTK requires an X server. If it loses the server, the process ends, and another attempt is made.
+        """
         *others, picture = arguments
         self._start(f"drawing {picture}")
         start = time.monotonic()
@@ -81,21 +84,21 @@ class Making:
 
 
 def write(path, text):
-    """Completely or not at all."""
+    """Writes a complete file, or none."""
     part = Path(f"{path}.part")
     part.write_text(text, encoding="utf-8")
     part.replace(path)
 
 
 def make(figure):
-    """Whether the figure was made. If not, its unfinished folder has the sentence why."""
+    """Makes a figure, and returns whether it succeeded. Otherwise, its incomplete folder contains the reason."""
     making = Making(figure.name)
     shutil.rmtree(making.folder, ignore_errors=True)
     making.folder.mkdir(parents=True)
     start = time.monotonic()
     try:
         results = figure.make(making)
-    except Exception as error:      # whatever it is, other figures are not harmed
+    except Exception as error:      # an error must not affect other figures
         sentence = str(error) if isinstance(error, Failure) else f"{type(error).__name__}: {error}"
         print(f"{'' if making.step else figure.name + ': '}failed. {sentence}", flush=True)
         write(making.folder / "failure.txt", sentence)

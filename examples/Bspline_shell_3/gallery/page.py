@@ -1,4 +1,4 @@
-"""The page that shows the figures which are complete, and says what became of the others."""
+"""Writes the page with the complete figures, and the status of the others."""
 import json
 import os
 from html import escape
@@ -13,7 +13,7 @@ def is_complete(figure):
 
 
 def read(figure):
-    """What was found, or why nothing was, or None if it was not tried."""
+    """Returns the results of a figure, the reason for its failure, or None if it was not attempted."""
     if is_complete(figure):
         return json.loads((RESULTS / figure.name / "figure.json").read_text(encoding="utf-8"))
     unfinished = RESULTS / f"{figure.name}.part"

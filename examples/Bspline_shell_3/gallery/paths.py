@@ -1,4 +1,4 @@
-"""Where things are, and where modules are imported from."""
+"""Paths of files, and search paths of modules."""
 import sys
 from pathlib import Path
 

@@ -1,10 +1,11 @@
-"""What is found in figures, and how it is said."""
+"""Results of figures, and their formatting."""
 import re
 from collections import namedtuple
 
 from making import Failure
 
-# `headline`: what is measured, and of what. `pictures`: (file, caption). `rows` of a table: (what, the paper, lines that say what was found here).
+# `headline`: quantity and object of the measurement. `pictures`: (file, caption). `rows` of a table: (quantity, the
+# paper, lines with the results).
 Results = namedtuple("Results", "headline pictures rows")
 
 NOT_GIVEN = "not given"

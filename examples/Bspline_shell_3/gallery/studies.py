@@ -1,4 +1,4 @@
-"""The figures of the paper about its parameters, gamma and mu."""
+"""The figures of the paper about its parameters gamma and mu."""
 import json
 
 from making import Failure
@@ -7,7 +7,7 @@ from results import NOT_GIVEN, Results, count, percent
 
 
 def read_lines(output):
-    """What a benchmark printed about shells."""
+    """Returns the lines that a benchmark printed about shells."""
     found = [json.loads(line) for line in output.splitlines()]
     refused = [line for line in found if "status" in line]
     if refused:
@@ -27,7 +27,7 @@ def make_gamma(making):
     drawn = [shell for shell in found if shell["gamma"] in (30, 50, 90, 130, None)]
     making.draw("draw_studies.draw_surfaces", prefix, drawn, direction, up, "surfaces.png")
     making.draw("draw_studies.draw_sections", prefix, drawn, 2, toes, "sections.png")
-    for file in making.folder.glob("armadillo_*"):      # two hundred megabytes
+    for file in making.folder.glob("armadillo_*"):      # 200 MB
         file.unlink()
 
     def lines(text):

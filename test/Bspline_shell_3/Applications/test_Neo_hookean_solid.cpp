@@ -1,6 +1,6 @@
-// Neo_hookean_solid.h of the examples: what is known in closed form comes out, derivatives are those of the energy, and
-// Newton's method does what it promises. Meshes, and the closed forms, are made here.
-#include "../../../examples/Bspline_shell_3/Neo_hookean_solid.h" // first: it must bring what it needs
+// Neo_hookean_solid.h of the examples: solutions agree with closed forms, derivatives agree with the energy, and
+// Newton's method converges as it should. Meshes and closed forms are made here.
+#include "../../../examples/Bspline_shell_3/Neo_hookean_solid.h" // first: must be self-contained
 
 #include <catch2/catch.hpp>
 
@@ -29,8 +29,8 @@ struct Tetrahedra
   std::vector<std::array<std::size_t, 4> > cells;
 };
 
-// a box of unit cubes, each cut into six tetrahedra around a diagonal; points inside are moved at random, by so little
-// that none is inverted
+// Returns a box of unit cubes, each cut into six tetrahedra around a diagonal. Inner points are moved at random, by too
+// little to invert a tetrahedron.
 Tetrahedra box(std::size_t nx, std::size_t ny, std::size_t nz, double jitter)
 {
   Tetrahedra result;
@@ -83,7 +83,7 @@ std::vector<Solid::Condition> hold(const Solid& solid, const Predicate& is_held)
   return result;
 }
 
-// one end is held, the other turned and moved
+// Solves a problem in which one end is held, and the other is turned and moved.
 Solid::Result bend(const Solid& solid, double length, double angle, const Solid::Options& options = Solid::Options(),
                    const Eigen::Matrix3d& turned = Eigen::Matrix3d::Identity())
 {
@@ -113,14 +113,14 @@ TEST_CASE("An affine motion of the boundary is reproduced inside")
     REQUIRE(solid.is_valid());
     const auto boundary = hold(solid, [](const Vector& p) { return p.minCoeff() == 0 || p.maxCoeff() == 3; });
     Solid::Options options;
-    options.start = random_displacements(solid, 0.05); // so that there is something to do
+    options.start = random_displacements(solid, 0.05); // otherwise the start would be the solution
     const auto result = solid.solve(
       boundary, [&](std::size_t n, double t) -> Vector { return t * (A * solid.node(n) + b - solid.node(n)); },
       options);
     REQUIRE(result);
     CHECK(result.load == 1);
 
-    // forces r left over displace the nodes by r over the least eigenvalue, and rounding by the condition number
+    // Residual forces r displace the nodes by r over the least eigenvalue; the condition number amplifies rounding.
     std::vector<char> is_held(3 * solid.number_of_nodes(), 0);
     for(const auto& c : boundary)
       for(std::size_t i = 0; i < 3; ++i) is_held[3 * c.node + i] = 1;
@@ -136,7 +136,7 @@ TEST_CASE("An affine motion of the boundary is reproduced inside")
     for(std::size_t n = 0; n < solid.number_of_nodes(); ++n)
       farthest = (std::max)(farthest, (solid.node(n) + result.displacements.col(n) - A * solid.node(n) - b).norm());
     CHECK(farthest <= tolerance);
-    // the gradient of an affine map is the same everywhere
+    // The gradient of an affine map is constant.
     const double log_J = std::log(A.determinant());
     const double density = material.mu * ((A.squaredNorm() - 3) / 2 - log_J) + material.lambda / 2 * log_J * log_J;
     CHECK(result.energy == Approx(27 * density).epsilon(1e-9));
@@ -150,7 +150,7 @@ TEST_CASE("A bar that is stretched gets thinner until no stress is left across i
   for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC })
     for(double stretch : { 0.5, 1.1, 2.5 }) {
       const Solid solid(mesh.points, mesh.cells, order, material);
-      std::vector<Solid::Condition> conditions; // symmetry on three sides, and the other end moves along the bar
+      std::vector<Solid::Condition> conditions; // symmetry on three sides; the other end moves along the bar
       for(std::size_t n = 0; n < solid.number_of_nodes(); ++n) {
         const Vector& p = solid.node(n);
         conditions.push_back({ n, { p.x() == 0 || p.x() == 4, p.y() == 0, p.z() == 0 } });
@@ -159,7 +159,7 @@ TEST_CASE("A bar that is stretched gets thinner until no stress is left across i
         conditions, [&](std::size_t n, double t) { return Vector(t * (stretch - 1) * solid.node(n).x(), 0, 0); });
       REQUIRE(result);
 
-      // mu (s - 1/s) + lambda ln(stretch s^2) / s = 0, which increases with s, once multiplied by it
+      // The condition is mu (s - 1/s) + lambda ln(stretch s^2) / s = 0. Times s, it increases with s.
       double low = 0.1, high = 10;
       while(high - low > 4 * epsilon * high) {
         const double s = (low + high) / 2;
@@ -175,21 +175,21 @@ TEST_CASE("A bar that is stretched gets thinner until no stress is left across i
       double reaction = 0;
       for(std::size_t n = 0; n < solid.number_of_nodes(); ++n)
         if(solid.node(n).x() == 4) reaction += forces(0, n);
-      CHECK(reaction == Approx(4 * stress).epsilon(1e-8)); // on a section of area four
+      CHECK(reaction == Approx(4 * stress).epsilon(1e-8)); // the cross-section has area four
     }
 }
 
 TEST_CASE("The gradient is that of the energy, and the Hessian that of the gradient")
 {
   const Tetrahedra mesh = box(2, 2, 2, 0.2);
-  const double h = std::cbrt(epsilon); // of the order that is best for central differences
+  const double h = std::cbrt(epsilon); // the optimal order for central differences
   for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC }) {
     const Solid solid(mesh.points, mesh.cells, order, material);
     const Vectors u = random_displacements(solid, 0.08), v = random_displacements(solid, 1).rowwise().reverse();
     const auto state = solid.state(u);
     REQUIRE(state.least_jacobian > 0);
-    // a central difference is off by a third of its difference from that of twice the width, but for higher orders, and
-    // by rounding
+    // The error of a central difference is a third of its difference from the one of twice the width, up to higher
+    // orders and rounding.
     const auto slope = [&](double width) {
       return (solid.state(u + width * v).energy - solid.state(u - width * v).energy) / (2 * width);
     };
@@ -217,8 +217,8 @@ TEST_CASE("Newton's method ends with quadratic convergence")
     const auto result = bend(solid, 4, 0.5, options);
     REQUIRE(result);
     CHECK(result.load_steps == 1);
-    // What one step leaves of the forces, from half as far away, is a quarter, up to an error of the order of the
-    // distance.
+    // Newton's method converges quadratically: from half the distance, one step leaves a quarter of the forces. The
+    // relative error of this ratio is of the order of the distance.
     Vectors v = random_displacements(solid, 1);
     for(std::size_t n = 0; n < solid.number_of_nodes(); ++n)
       if(solid.node(n).x() == 0 || solid.node(n).x() == 4) v.col(n).setZero();
@@ -255,7 +255,7 @@ TEST_CASE("A solid that is turned has the same energy, turned forces and the tur
     REQUIRE(result_turned);
     CHECK(result_turned.energy == Approx(result.energy).epsilon(1e-9));
     CHECK((R * (nodes + result.displacements) - nodes - result_turned.displacements).cwiseAbs().maxCoeff() < 1e-7);
-    // no force is left but where the ends are held
+    // Forces remain only where the ends are held.
     const Vectors forces = solid.gradient(result.displacements);
     for(std::size_t n = 0; n < solid.number_of_nodes(); ++n)
       if(nodes(0, n) > 0 && nodes(0, n) < 4)
@@ -297,13 +297,13 @@ TEST_CASE("What cannot be solved is refused, with the reason")
     const Solid solid(mesh.points, mesh.cells, order, material);
     Solid::Options options;
     options.start = Vectors::Zero(3, solid.number_of_nodes());
-    options.start.col(13) = Vector(3, 0, 0); // the point in the middle leaves the box
+    options.start.col(13) = Vector(3, 0, 0); // moves the point in the middle out of the box
     const auto inverted = solid.solve(hold(solid, ends), nothing, options);
     CHECK(inverted.status == Solid_status::INVERTED_STATE);
     CHECK(inverted.least_jacobian < 0);
     CHECK(std::isinf(solid.state(options.start).energy));
 
-    // one end through the other
+    // One end is moved through the other.
     const auto crossed = solid.solve(
       hold(solid, [](const Vector& p) { return p.x() == 0 || p.x() == 2; }),
       [&](std::size_t n, double t) -> Vector { return t * Vector(-2 * solid.node(n).x(), 0, 0); });
@@ -342,7 +342,7 @@ TEST_CASE("Displacements on facets are those of the shape functions")
     const std::array<double, 3> w{ 0.2, 0.3, 0.5 };
     Vector p = Vector::Zero();
     for(int i = 0; i < 3; ++i) p += w[i] * mesh.points[corners[i]];
-    // sums of a dozen terms of size one
+    // The errors are those of sums of a dozen terms of size one.
     CHECK((solid.displacement(u, corners, w) - function(p)).norm() < 20 * epsilon);
   }
 }

@@ -1,5 +1,5 @@
-// operand_labels.h and curve_filter.h of the examples: labels of facets that go through Boolean operations are judged
-// by where the facets are.
+// operand_labels.h and curve_filter.h of the examples: after Boolean operations, the labels of facets must fit their
+// positions.
 #include "../../../examples/Bspline_shell_3/curve_filter.h"
 #include "../../../examples/Bspline_shell_3/operand_labels.h"
 #include "test_meshes.h"
@@ -32,7 +32,8 @@ std::array<Point_3, 3> corners(const Mesh& mesh, Mesh::Face_index f)
   return { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) };
 }
 
-// the number of the side of an axis-parallel box that a facet is in: the axis, and three more for the upper one
+// Returns the number of the side of an axis-parallel box that contains a facet: the axis, plus three for the upper
+// side.
 int side(const std::array<Point_3, 3>& t, const Point_3& low, const Point_3& high)
 {
   for(int axis = 0; axis < 3; ++axis) {
@@ -52,7 +53,7 @@ std::vector<Kernel::Segment_3> segments_of(const Mesh& mesh, Curve curve)
 
 typedef CGAL::Exact_predicates_exact_constructions_kernel Exact;
 
-// CGAL rounds points to within a hundred thousandth, if it is not asked for more.
+// By default, CGAL rounds points with a relative error of up to 1e-5.
 constexpr double precision = 1e-15;
 struct Precise_rounding
 {
@@ -61,7 +62,7 @@ struct Precise_rounding
   const double before = Exact::FT::get_relative_precision_of_to_double();
 };
 
-// Solids whose facets have their numbers as labels, those of the second one after those of the first.
+// Solids whose facets are numbered by labels. The numbers of the second solid follow those of the first.
 struct Numbered_solids
 {
   explicit Numbered_solids(std::vector<Mesh> m) : meshes(std::move(m))
@@ -83,8 +84,9 @@ struct Numbered_solids
     return { convert(t[0]), convert(t[1]), convert(t[2]) };
   }
 
-  // How many corners of facets of a result are not in the triangle whose label the facet has. Coordinates are smaller
-  // than two, and were rounded so many times; as the distance from a triangle is a convex function, errors add up.
+  // Returns how many corners of a result's facets are outside the triangles whose labels the facets have. Coordinates
+  // are less than two, and were rounded `roundings` times. The distance from a triangle is convex, so the errors add
+  // up.
   std::size_t misplaced(Mesh& mesh, int roundings) const
   {
     const Labels labels = labels_of(mesh);
@@ -100,7 +102,7 @@ struct Numbered_solids
   }
 
   std::vector<Mesh> meshes;
-  std::vector<std::size_t> solid; // of each label
+  std::vector<std::size_t> solid; // by label
   std::vector<Exact::Triangle_3> triangles;
 };
 
@@ -116,7 +118,7 @@ TEST_CASE(
     for(Mesh::Face_index f : mesh->faces())
       labels[f] = mesh == &first ? side(corners(first, f), low_0, high_0) : 6 + side(corners(second, f), low_1, high_1);
   }
-  // three sides of each box reach into the other, as far as the boxes overlap
+  // Three sides of each box reach into the other box; `inside` is the area of their parts there.
   const double x = 0.5, y = 0.75, z = 0.875, inside = x * y + y * z + z * x;
   for(Boolean operation : operations) {
     Mesh mesh;
@@ -215,7 +217,7 @@ TEST_CASE("Simplified along the curve, facets keep their labels, and the curve s
     CHECK(wrong == 0);
     auto patch = coarse.add_property_map<Mesh::Face_index, std::size_t>("f:patch").first;
     CHECK(PMP::connected_components(coarse, patch, CGAL::parameters::edge_is_constrained_map(curve)) == 2);
-    // corners of the curve before, from the curve
+    // distances from corners of the original curve to the new curve
     const auto segments = segments_of(coarse, curve);
     double farthest = 0;
     for(const Kernel::Segment_3& s : segments_of(mesh, curve_of(mesh))) {

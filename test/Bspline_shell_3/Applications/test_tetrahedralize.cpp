@@ -1,5 +1,5 @@
-// tetrahedralize.h of the examples: what it accepts as the filling of a mesh.
-#include "../../../examples/Bspline_shell_3/tetrahedralize.h" // first: it must bring what it needs
+// tetrahedralize.h of the examples: which tetrahedra are accepted as a filling of a mesh.
+#include "../../../examples/Bspline_shell_3/tetrahedralize.h" // first: must be self-contained
 
 #include <CGAL/boost/graph/helpers.h>
 

@@ -1,4 +1,4 @@
-// Lattices whose corners are doubles, and sets of their cells against searches through all cells.
+// Lattices whose corners are doubles. Sets of lattice cells, compared with searches through all cells.
 #include <CGAL/Bspline_shell_3/Cells/Cell_complex_3.h>
 
 #include <CGAL/Exact_rational.h>
@@ -41,7 +41,7 @@ CGAL::Bbox_3 random_box(CGAL::Random& random, double distance)
   return CGAL::Bbox_3(a[0], a[1], a[2], b[0], b[1], b[2]);
 }
 
-// every multiple of 2^-12 spacings at and around the box, at the ends and here and there between
+// Checks that selected multiples of 2^-12 spacings are doubles: at the ends of the box, next to it, and in between.
 void check_corners(const Lattice& lattice, const CGAL::Bbox_3& box)
 {
   for(int a = 0; a < 3; ++a) {
@@ -56,13 +56,13 @@ void check_corners(const Lattice& lattice, const CGAL::Bbox_3& box)
   }
 }
 
-// a cell set, and what it should be
+// The keys of a cell set, and its expected points.
 struct Sparse_cells
 {
   std::set<Lattice_point> points;
   std::vector<std::uint64_t> keys;
 
-  // about that share of the cells in [first, last]^3
+  // Inserts roughly the given share of the cells in [first, last]^3.
   Sparse_cells(CGAL::Random& random, int first, int last, double share)
   {
     for(int k = first; k <= last; ++k)
@@ -111,11 +111,11 @@ TEST_CASE("lattices: all corners are doubles, also those of cells halved twelve 
       CAPTURE(distance, spacing);
       REQUIRE(lattice.is_exact());
       check_corners(lattice, box);
-      // the spacing is the one asked for, to the bits that can be had
+      // The spacing is the requested one, up to the bits that are available.
       CHECK(std::abs(lattice.spacing() - spacing) <= spacing / (distance < 10 ? 1 << 19 : 1 << 4));
       CHECK(std::floor(std::ldexp(lattice.spacing(), 20 - std::ilogb(lattice.spacing()) - 1))
             == std::ldexp(lattice.spacing(), 20 - std::ilogb(lattice.spacing()) - 1));
-      for(int a = 0; a < 3; ++a) // and the lattice begins at the middle of the box
+      for(int a = 0; a < 3; ++a) // the lattice begins at the middle of the box
         CHECK(std::abs(lattice.origin()[a] - (box.min(a) + box.max(a)) / 2) <= spacing);
     }
 }
@@ -132,12 +132,12 @@ TEST_CASE("lattices: one that says it is exact is, whatever the distance, hopele
       check_corners(lattice, box);
     } else ++hopeless;
   }
-  CHECK(exact > 30); // 2^30 cells away there are bits for a spacing of ten
+  CHECK(exact > 30); // at a distance of 2^30 cells, enough bits are left for a spacing with ten bits
   CHECK(hopeless > 20);
   CHECK_FALSE(Lattice(CGAL::Bbox_3(1e15, 0, 0, 1e15 + 1, 1, 1), 1e-3).is_exact());
   CHECK_FALSE(Lattice(CGAL::Bbox_3(0, 0, 0, inf, 1, 1), 1e-3).is_exact());
   CHECK_FALSE(Lattice(CGAL::Bbox_3(-1e308, 0, 0, 1e308, 1, 1), 1e-3).is_exact());
-  CHECK_FALSE(Lattice(CGAL::Bbox_3(-1.7e308, 0, 0, 1.7e308, 1, 1), 1e308).is_exact()); // no room for a cell more
+  CHECK_FALSE(Lattice(CGAL::Bbox_3(-1.7e308, 0, 0, 1.7e308, 1, 1), 1e308).is_exact()); // no room for another cell
   CHECK_FALSE(Lattice(CGAL::Bbox_3(0, 0, 0, 1e-310, 1e-310, 1e-310), 1e-321).is_exact());
   CHECK_FALSE(Lattice().is_exact());
   const CGAL::Bbox_3 huge(-1e308, 0, 0, 1e308, 1e300, 1), tiny(0, 0, 0, 1e-300, 1e-301, 1e-300);
@@ -155,7 +155,7 @@ TEST_CASE("lattices: a mirrored, turned or scaled box gets the mirrored, turned 
     CGAL::Bbox_3 box = random_box(random, n % 2 ? 0. : 100.);
     double spacing = n % 2 ? 0.1 : 1.;
     if(n % 4 == 3) {
-      // the middle is, but for the last bits, half way between two places for the origin
+      // Up to the last bits, the middle is halfway between two possible origins.
       spacing = 0.125;
       const double bit = std::ldexp(spacing, -19), middle = (random.get_int(1, 1000000) + 0.5) * bit;
       const double lower = random.get_double(-0.01, 0);
@@ -166,7 +166,7 @@ TEST_CASE("lattices: a mirrored, turned or scaled box gets the mirrored, turned 
                            spacing);
     CHECK(mirrored.spacing() == lattice.spacing());
     CHECK(mirrored.origin() == Point{ -lattice.origin()[0], lattice.origin()[1], lattice.origin()[2] });
-    // (x, y, z) to (-y, x, z)
+    // maps (x, y, z) to (-y, x, z)
     const Lattice turned(CGAL::Bbox_3(-box.ymax(), box.xmin(), box.zmin(), -box.ymin(), box.xmax(), box.zmax()),
                          spacing);
     CHECK(turned.spacing() == lattice.spacing());
@@ -209,7 +209,7 @@ TEST_CASE("lattices: cells may be halved until the next corner would not be a do
             once_more = once_more && is_double(Rational(lattice.coordinate(a, i)) + Rational(k) * part / 2)
                         && is_double(Rational(lattice.coordinate(a, i + 1)) - part / 2);
           }
-      tight += !once_more; // one or two halvings are given away where the origin has more bits than the spacing
+      tight += !once_more; // one or two halvings are lost where the origin has more bits than the spacing
     }
   CHECK(tight > 20);
   CHECK(Lattice().number_of_halvings({ 0, 0, 0 }, { 0, 0, 0 }) == 0);
@@ -240,9 +240,9 @@ TEST_CASE("lattices: one that is made of its origin and spacing is exact if all 
   }
   CHECK_FALSE(is_exact(0, 0, 0, 0));
   CHECK_FALSE(is_exact(0, -1, 0, 0));
-  CHECK_FALSE(is_exact(0, std::ldexp(1., 1023), 0, 2)); // corners beyond all doubles
+  CHECK_FALSE(is_exact(0, std::ldexp(1., 1023), 0, 2)); // corners exceed all doubles
 
-  // lattices that the other constructor makes are among them, with all the cells that a shell may have
+  // Lattices of the other constructor are included, with all cells that a shell may have.
   CGAL::Random random(19);
   for(int n = 0; n < 2000; ++n) {
     const double size = std::pow(10., random.get_double(-60, 60)), far = std::pow(10., random.get_double(0, 8));
@@ -373,7 +373,7 @@ TEST_CASE("cells: points are found in a closed cell that contains them, that of 
     const Sparse_cells sparse(random, -2, 1, share);
     const Cells cells(quarters, sparse.keys);
     REQUIRE(cells.number_of_cells() == sparse.points.size());
-    // multiples of half a cell: corners, middles of edges and of faces, centers; also outside
+    // points are multiples of half a cell: corners, middles of edges and faces, centers; some are outside
     for(int k = -6; k <= 6; ++k)
       for(int j = -6; j <= 6; ++j)
         for(int i = -6; i <= 6; ++i) {
@@ -448,8 +448,8 @@ TEST_CASE("cells: a box meets the cells that a search finds, and is covered if a
   for(double share : { 0.5, 0.8, 0.97, 1. }) {
     const Sparse_cells sparse(random, -2, 1, share);
     const Cells cells(quarters, sparse.keys);
-    // Boxes end at multiples of half a cell. Whether a point is covered is then the same all over the open parts into
-    // which multiples of a quarter of a cell divide a box: one point of each part decides.
+    // Boxes end at multiples of half a cell. Multiples of a quarter of a cell divide a box into open parts that are
+    // covered as a whole or not at all. So one point of each part decides.
     constexpr int reach = 12;
     const auto unit = [](int i) { return i * 0.0625; };
     bool covered[2 * reach + 1][2 * reach + 1][2 * reach + 1];

@@ -1,5 +1,5 @@
-// Cells of different sizes: what refinement splits, against the least set that its rules ask for; and look-up, against
-// searches through all leaves.
+// Cells of different sizes. Refinement is compared with the least set that its rules require, and look-up with searches
+// through all leaves.
 #include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
 #include "random_hierarchies.h"
 
@@ -26,10 +26,10 @@ typedef std::set<std::pair<int, Lattice_point> > Split_cells;
 const double inf = std::numeric_limits<double>::infinity();
 const double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-// a spacing that is no power of two, and an origin that no cell begins at by chance
+// The spacing is not a power of two, and the origin is not a corner of a cell by coincidence.
 const BS::Lattice_3 lattice(CGAL::Bbox_3(9, -1, -4, 11, 2, 1), 0.3);
 
-// of three levels, with holes and negative coordinates
+// Returns cells of three levels, with holes and negative coordinates.
 Hierarchy some_hierarchy(unsigned seed)
 {
   CGAL::Random random(seed);
@@ -65,8 +65,8 @@ bool has_root(const Hierarchy& cells, int level, Lattice_point p)
   return cells.roots().cell(p) != Hierarchy::npos;
 }
 
-// The least set of cells with what is marked, with rings around, that is closed under the rule that three rings of
-// cells surround each.
+// Returns the least set of split cells that contains the marked cells and the rings around them, and is closed under
+// grading: the parents of all cells in three rings around a split cell are split.
 Split_cells least_split_cells(const Hierarchy& cells, const std::vector<Index>& leaves, int rings)
 {
   Split_cells split = split_cells(cells);
@@ -124,7 +124,7 @@ std::vector<Index> neighbors(const Hierarchy& cells, Index c, int axis, bool pos
   return found;
 }
 
-// the leaf around a point, refined as often as can be
+// Refines the leaf around a point `times` times, or as often as possible.
 Hierarchy refined_at(Hierarchy cells, const Point& p, int times)
 {
   for(int n = 0; n < times; ++n) cells = cells.refined({ cells.locate(p) });
@@ -162,7 +162,7 @@ TEST_CASE("hierarchies: leaves tile the root cells, numbered coarse ones first")
     CHECK(cells.first_leaf(0) == 0);
     CHECK(int(cells.first_leaf(1)) == leaves_of_level[0]);
     CHECK(int(cells.first_leaf(2)) == leaves_of_level[0] + leaves_of_level[1]);
-    // a cell of a level, leaf or split, is one that some leaf is a part of; what is split has parts
+    // A cell of a level, split or not, contains a leaf; a split cell has children.
     for(const std::pair<int, Lattice_point>& s : split_cells(cells))
       wrong += !has_root(cells, s.first, s.second) || cells.level(smallest.leaf(s.first, s.second)) <= s.first;
     CHECK(wrong == 0);
@@ -196,7 +196,7 @@ TEST_CASE("hierarchies: what is split is the marked leaves, rings around them, a
     CGAL::Random random(seed);
     Hierarchy cells(some_cells(random, lattice, { -6, -3, -3 }, { 5, 2, 1 }, seed % 2 ? 1 : 0.85));
     for(int round = 0; round < 4; ++round) {
-      // of all sizes, and one of them twice
+      // leaves of all sizes; one of them twice
       std::vector<Index> leaves = random_leaves(random, cells, 1);
       leaves.push_back(Index(random.get_int(0, int(cells.number_of_cells()))));
       leaves.push_back(leaves.front());
@@ -208,7 +208,8 @@ TEST_CASE("hierarchies: what is split is the marked leaves, rings around them, a
       CHECK(split == expected);
       CHECK(std::includes(split.begin(), split.end(), before.begin(), before.end()));
       CHECK(split.size() > before.size());
-      // the same in words: rings around what was marked, and three rings of cells of its size around what is split
+      // The rules, checked directly: the rings around marked cells are split, and three rings of cells of the same size
+      // surround each split cell.
       std::size_t missing = 0, wrong = 0;
       for(Index c : leaves)
         for_each_around(cells.lattice_point(c), rings, [&](const Lattice_point& p) {
@@ -235,7 +236,7 @@ TEST_CASE("hierarchies: a point is found in a closed leaf that contains it")
     CGAL::Random random(seed);
     int inside = 0, outside = 0, on_several = 0;
     for(int n = 0; n < 1500; ++n) {
-      // multiples of half a smallest cell: corners, edges, faces, and beyond the ends
+      // multiples of half a smallest cell: corners, edges, faces, and points beyond the ends
       Point p;
       for(int a = 0; a < 3; ++a) {
         const int i = random.get_int(2 * smallest.first()[a] - 4, 2 * smallest.last()[a] + 6);
@@ -272,7 +273,7 @@ TEST_CASE(
     for(int n = 0; n < 1200; ++n) {
       Point least, most;
       for(int a = 0; a < 3; ++a) {
-        // ends in planes between cells, and between them; flat boxes, segments, points
+        // ends between cells and inside them; some boxes are flat, segments, or points
         const int i = random.get_int(2 * smallest.first()[a] - 2, 2 * smallest.last()[a] + 4),
                   w = random.get_int(0, 12);
         least[a] = lattice.origin()[a] + i * unit;
@@ -316,7 +317,7 @@ TEST_CASE("hierarchies: neighbors are the leaves with a common part of a face, a
     for(Index c = 0; c < cells.number_of_cells(); ++c)
       for(int a = 0; a < 3; ++a)
         for(bool positive : { false, true }) {
-          // the smallest cells beyond the face
+          // the leaves that contain the smallest cells beyond the face
           std::set<Index> expected;
           bool outside = false;
           const int s = smallest.size(cells.level(c));
@@ -334,7 +335,7 @@ TEST_CASE("hierarchies: neighbors are the leaves with a common part of a face, a
           const std::vector<Index> found = neighbors(cells, c, a, positive, any);
           wrong += found != std::vector<Index>(expected.begin(), expected.end());
           wrong += any != !expected.empty();
-          wrong += outside && any; // a face is inside or at the end of the domain as a whole
+          wrong += outside && any; // all of a face is inside the domain, or none of it
           if(!any) {
             ++ends;
             continue;
@@ -380,7 +381,7 @@ TEST_CASE("hierarchies: corners of the smallest leaves are doubles, also those o
     CHECK(cells.level(cells.locate(p)) == cells.max_level());
   }
   CHECK(levels.front() == 10);
-  CHECK(levels.back() < 10); // where coordinates are large, there are bits for fewer
+  CHECK(levels.back() < 10); // where coordinates are large, bits suffice for fewer levels
 }
 
 TEST_CASE(
@@ -406,7 +407,7 @@ TEST_CASE(
     const std::size_t size = cells.number_of_cells();
     CHECK(cells.refined({ c }).number_of_cells() == size);
     CHECK(Smallest_cells(refined_at(Hierarchy(cells.roots()), p, (std::min)(3, cells.max_level()))).overlaps == 0);
-    // with others, they are no hindrance
+    // Leaves of the last level do not prevent others from being refined.
     if(cells.max_level() > 0) {
       const Index coarse = 0;
       CHECK(cells.level(coarse) < cells.max_level());
@@ -446,7 +447,7 @@ TEST_CASE("hierarchies: their leaves are all that they are made of, other sets o
              || again->roots().number_of_cells() != cells.roots().number_of_cells();
     for(Index c = 0; c < cells.number_of_cells(); ++c)
       wrong += again->lattice_point(c) != cells.lattice_point(c) || again->level(c) != cells.level(c);
-    // refined alike: what is split is known, too
+    // Refinement is the same, so split cells are restored, too.
     const std::vector<Index> marked = random_leaves(random, cells, 1);
     wrong += again->refined(marked).number_of_cells() != cells.refined(marked).number_of_cells();
 
@@ -454,14 +455,14 @@ TEST_CASE("hierarchies: their leaves are all that they are made of, other sets o
       Leaves missing = leaves;
       missing[l].erase(missing[l].begin() + random.get_int(0, int(missing[l].size())));
       accepted += Hierarchy::from_leaves(lattice, missing).has_value();
-      // the parent of a leaf, as if it were none
+      // the parent of a leaf, added as a leaf
       Leaves overlapping = leaves;
       Lattice_point p = BS::Lattice_key::decode(leaves[l][0]);
       for(int& i : p) i = (i - (i & 1)) / 2;
       overlapping[l - 1].push_back(BS::Lattice_key::encode(p[0], p[1], p[2]));
       BS::sort_unique(overlapping[l - 1]);
       accepted += Hierarchy::from_leaves(lattice, overlapping).has_value();
-      // that parent in place of a leaf of its level: as many leaves of each level as there should be
+      // The parent replaces a leaf of its level, so the numbers of leaves are as before.
       if(l > 1 && !leaves[l - 1].empty()) {
         Leaves in_place = leaves;
         in_place[l - 1].front() = BS::Lattice_key::encode(p[0], p[1], p[2]);
@@ -475,7 +476,7 @@ TEST_CASE("hierarchies: their leaves are all that they are made of, other sets o
   CHECK(accepted == 0);
   CHECK(exchanged > 0);
 
-  // a cell that is split twice at a corner, with no rings around it
+  // A cell is split twice at a corner, without rings around it.
   std::vector<std::uint64_t> level[3];
   for(int o = 0; o < 8; ++o) {
     if(o > 0) level[1].push_back(BS::Lattice_key::encode(o & 1, o >> 1 & 1, o >> 2));
@@ -483,9 +484,9 @@ TEST_CASE("hierarchies: their leaves are all that they are made of, other sets o
   }
   level[0].push_back(BS::Lattice_key::encode(1, 0, 0));
   CHECK_FALSE(Hierarchy::from_leaves(lattice, { level[0], level[1], level[2] }));
-  // alone, it has no neighbors that would have to be
+  // Alone, it has no neighbors, and needs no rings.
   CHECK(Hierarchy::from_leaves(lattice, { {}, level[1], level[2] }));
-  // smaller than any leaf may be
+  // smaller than the smallest possible leaf
   CHECK_FALSE(Hierarchy::from_leaves(lattice, Leaves(20, { BS::Lattice_key::encode(0, 0, 0) })));
   CHECK(Hierarchy::from_leaves(lattice, {})->number_of_cells() == 0);
 }

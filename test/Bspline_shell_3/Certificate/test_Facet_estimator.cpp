@@ -1,4 +1,4 @@
-// Facet_estimator.h: what an estimate clears is nearly always proved, and what it rejects never is.
+// Facet_estimator.h: a facet with a clear estimate is proved in nearly all cases; a rejected facet never is.
 #include "polynomial_fields.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Second_order_bounds_3.h>
@@ -27,7 +27,7 @@ typedef std::array<Point_3, 3> Triangle;
 
 constexpr double pi = 3.141592653589793;
 
-// of the balls of radii 0.7 and 0.8
+// Returns the shell between spheres of radii 0.7 and 0.8.
 CGAL::Bspline_shell_3<Uniform_field> ball_shell()
 {
   return shell_of(uniform_field(squared_distance), 0.49, 0.64);
@@ -40,7 +40,7 @@ Facet_estimate estimate(const Bounds& bounds, const Triangle& t)
   return Estimator(bounds, { normal.x(), normal.y(), normal.z() })({ &corners[0], &corners[1], &corners[2] });
 }
 
-// corners near a point, between two spheres
+// Returns a triangle with corners near a point, between two spheres.
 Triangle random_triangle(std::mt19937& random, double size)
 {
   std::uniform_real_distribution<double> unit(-1, 1), radius(0.695, 0.805);
@@ -118,7 +118,7 @@ TEST_CASE("Estimates: what leaves the shell, or turns, at no corner and no middl
     return Point_3(r * std::sin(polar) * std::cos(degrees * pi / 180),
                    r * std::sin(polar) * std::sin(degrees * pi / 180), r * std::cos(polar));
   };
-  // the plane of the corners is at distance r cos(polar) from the center, the middles of edges are farther
+  // The distance of the triangle's plane from the center is r cos(polar); the middles of edges are farther away.
   const double polar = std::acos(0.699 / r);
   const Triangle t = { { at(polar, 0), at(polar, 120), at(polar, 240) } };
   for(int v = 0; v < 3; ++v) {
@@ -126,7 +126,7 @@ TEST_CASE("Estimates: what leaves the shell, or turns, at no corner and no middl
     REQUIRE(CGAL::squared_distance(middle, Point_3(0, 0, 0)) > 0.49);
   }
   CHECK(estimate(*oracle.bounds(), t) != Facet_estimate::CLEAR);
-  // the slope of horizontal facets is 2 x^2 less a hair
+  // The slope of horizontal facets is 2 x^2 - 1e-9.
   const auto shell = shell_of(uniform_field({ { -1e-9, { 0, 0, 1 } }, { 2, { 2, 0, 1 } } }), -5, 5);
   const Oracle of_slope(shell);
   CHECK(estimate(*of_slope.bounds(), { { Point_3(0.31, 0, 0.1), Point_3(-0.47, -0.4, 0.1), Point_3(0.83, -0.4, 0.1) } })

@@ -1,4 +1,4 @@
-// Rigorous questions about fields: known answers, exact oracles, planted faults.
+// Rigorous predicates of fields: known results, exact oracles, planted faults.
 #include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
@@ -22,7 +22,7 @@ typedef BS::Field_predicates_3<Field> Predicates;
 typedef std::array<Point_3, 3> Triangle;
 typedef BS::Verdict Verdict;
 
-// all cells of a cube of side 8, of width one, about a center
+// Returns a field on all cells of a cube about a center: eight cells of width `scale` per side.
 Field cube_field(const Point_3& center = CGAL::ORIGIN, double scale = 1)
 {
   const double h = 4 * scale;
@@ -36,7 +36,7 @@ Field cube_field(const Point_3& center = CGAL::ORIGIN, double scale = 1)
   return Field(BS::Cell_complex_3(lattice, keys));
 }
 
-// sets the coefficients from a function of the lattice point, relative to the center
+// Sets the coefficients by a function of the lattice point, relative to the center.
 template <typename Function>
 void set(Field& field, const Function& f, double scale = 1)
 {
@@ -48,7 +48,7 @@ void set(Field& field, const Function& f, double scale = 1)
   field.set_coefficients(x);
 }
 
-// the spline whose coefficients are a linear function is that function
+// A spline whose coefficients are a linear function equals that function.
 Field linear_field(double a, double b, double c)
 {
   Field field = cube_field();
@@ -81,7 +81,7 @@ TEST_CASE("Predicates: the comparison with a level is exact")
   for(int n = 0; n < 50; ++n) {
     const Point_3 p = random_point(random, 3.9);
     const Rational value = exact_value(field, exact(p));
-    // levels on both sides, as near as doubles are
+    // levels on both sides, as close as doubles permit
     const double near = CGAL::to_double(value);
     for(double level : { near - 1, std::nextafter(near, -inf), near, std::nextafter(near, inf), near + 1 })
       CHECK(predicates.compare(p, level) == CGAL::compare(value, Rational(level)));
@@ -193,7 +193,7 @@ TEST_CASE("Predicates: a facet faces the gradient or not, to a hair's breadth")
   // nearly along the gradient, from either side
   CHECK(predicates.crosses_upwards({ p, q, Point_3(0, 1e-9, 2) }) == Verdict::PROVED);
   CHECK(predicates.crosses_upwards({ p, q, Point_3(0, -1e-9, 2) }) == Verdict::REFUTED);
-  // exactly along it: strictness fails, and no bound can say so but one that is exact
+  // Exactly along the gradient, the slope is zero: not proved. Only exact arithmetic could refute it.
   CHECK(predicates.crosses_upwards({ p, q, Point_3(0, 0, 2) }) != Verdict::PROVED);
 }
 
@@ -203,7 +203,7 @@ TEST_CASE("Predicates: a needle of width 1e-12 keeps its own normal")
   const Predicates predicates(field);
   const Point_3 p(-1.1, 0.3, 0.7), q(2.3, 1.1, 0.9);
   const Point_3 up = CGAL::midpoint(p, q) + Vector_3(-0.8e-12, 3.4e-12, 0);
-  // whatever rounding has made of the third vertex: the sign of the exact normal's z decides
+  // Whatever the rounding of the third vertex, the sign of the exact normal's z decides.
   const auto up_part = [&](const Point_3& r) -> Rational {
     return (Rational(q.x()) - Rational(p.x())) * (Rational(r.y()) - Rational(p.y()))
            - (Rational(q.y()) - Rational(p.y())) * (Rational(r.x()) - Rational(p.x()));
@@ -237,7 +237,7 @@ TEST_CASE("Predicates: what lies outside the domain is not within any levels")
         == Verdict::REFUTED);
   CHECK(predicates.values_within(Triangle{ Point_3(4, 0, 0), Point_3(4, 1, 0), Point_3(4, 0, 1) }, { 3, 5 })
         != Verdict::REFUTED); // on the boundary, which belongs to the domain
-  // in no time, whatever the size
+  // This must take no time, whatever the size.
   for(double far : { 1e9, 1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() }) {
     CHECK(predicates.values_within(Triangle{ Point_3(0, 0, 0), Point_3(far, 0, 0), Point_3(0, far, 0) }, { -100, 100 })
           == Verdict::REFUTED);
@@ -262,7 +262,7 @@ TEST_CASE("Predicates: a long needle costs its length, not its length squared")
 TEST_CASE(
   "Predicates: a facet is decided, however many parts of the size of a cell it has and however often these are halved")
 {
-  // two layers of cells; waves that are higher on the cells than on the facet between them
+  // The field has waves, on two layers of cells. They are higher inside the cells than on the facet between the layers.
   constexpr int half = 80;
   std::vector<std::uint64_t> keys;
   for(int k = -1; k < 1; ++k)
@@ -270,7 +270,7 @@ TEST_CASE(
       for(int i = -half; i < half; ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
   Field field(BS::Cell_complex_3(BS::Lattice_3(CGAL::Bbox_3(-half, -half, -half, half, half, half), 1), keys));
   set(field, [](double x, double y, double z) { return (z == 0 ? -0.25 : 1) * (int(x + y) % 2 ? 1 : -1); });
-  // between +-(1 - 4/4 + 1)/6 times +-1/3 along x and y
+  // On the facet, values lie between +-(1 - 4/4 + 1)/6 times +-1/3 along x and y.
   const double highest = 1. / 54;
   const Predicates predicates(field);
   const Triangle t = { Point_3(-79.3, -79.2, 0), Point_3(79.4, -79.1, 0), Point_3(-78.3, 79.3, 0) };
@@ -298,7 +298,7 @@ TEST_CASE("Predicates: nothing is said of a field that is no number, nor of a le
     CHECK(predicates.crosses_upwards(t, nullptr, nullptr, &slope) == Verdict::UNDECIDED);
     CHECK(slope == 0);
     CHECK(predicates.increases({ t[0], t[1] }) == Verdict::UNDECIDED);
-    // elsewhere as ever
+    // Other facets are decided as usual.
     const Triangle away = { Point_3(2.1, 0.2, 0.3), Point_3(3, 0.2, 0.3), Point_3(2.1, 1, 0.4) };
     CHECK(predicates.values_within(away, { 0, 1 }) == Verdict::PROVED);
     CHECK(predicates.crosses_upwards(away) == Verdict::PROVED);
@@ -362,7 +362,7 @@ TEST_CASE("Predicates: segments along which the field increases")
 TEST_CASE("Predicates: between thresholds that vary, answers agree with exact values for either of them")
 {
   typedef BS::Spline_threshold<Field> Varying;
-  std::array<int, 2> beyond_it = {}, refuted = {}; // of the inner threshold, the outer one
+  std::array<int, 2> beyond_it = {}, refuted = {}; // by the inner threshold, and by the outer one
   int within = 0;
   for(unsigned seed = 60; seed < 64; ++seed) {
     const Field field = random_field(seed);
@@ -381,7 +381,7 @@ TEST_CASE("Predicates: between thresholds that vary, answers agree with exact va
       const Triangle t = { p, p + size / 2 * (random_point(random, 1) - CGAL::ORIGIN),
                            p + size / 2 * (random_point(random, 1) - CGAL::ORIGIN) };
       const std::array<Point_3, 2> edge = { t[0], t[1] };
-      // how far beyond each threshold the field is at most
+      // by how much the field exceeds each threshold at most
       const auto beyond = [&](int side, const Point_3& x) {
         return (side == 0 ? -1 : 1) * (*field.value(x) - *level[side].value(x));
       };
@@ -462,7 +462,7 @@ TEST_CASE("Predicates: the field increases above a threshold that varies where i
       const bool above = increases(true);
       if(!above) CHECK(verdict == Verdict::REFUTED);
       proved += verdict == Verdict::PROVED;
-      // the threshold alone decides
+      // Here, only the threshold matters.
       faster += !above && predicates.increases({ p, q }) == Verdict::PROVED;
       CHECK(predicates.increases_above({ p, q }, BS::Constant_threshold(0.3)) == predicates.increases({ p, q }));
     }
@@ -516,8 +516,8 @@ TEST_CASE("Predicates: far from the origin, slack of 1e-12 of the box decides wh
 
 namespace {
 
-// cells of width one around the z-axis: three of the four at each height; `missing` has the bits of the signs of x and
-// y
+// Returns a field on cells of width one around the z-axis, three of the four at each height. The bits of `missing` are
+// the signs of x and y of the missing cells.
 Field bent_field(int missing)
 {
   std::vector<std::uint64_t> keys;
@@ -530,7 +530,7 @@ Field bent_field(int missing)
   return field;
 }
 
-// a number three times of which is rounded up or down
+// Returns a number whose triple is rounded up, or down.
 double thirds(CGAL::Random& random, bool up)
 {
   for(;;) {
@@ -550,16 +550,17 @@ TEST_CASE(
       CAPTURE(missing, n);
       const Field field = bent_field(missing);
       const Predicates predicates(field);
-      const double sx = missing & 1 ? 1 : -1, sy = missing & 2 ? 1 : -1; // towards the cells that are missing
-      // a quarter of the way, the segment is off the axis by what three times a number is rounded by, on that side
+      const double sx = missing & 1 ? 1 : -1, sy = missing & 2 ? 1 : -1; // towards the missing cells
+      // A quarter of the way, the segment is off the axis by the rounding error of tripling, on the side of the missing
+      // cells.
       const double x = thirds(random, true), y = thirds(random, false);
       const Point_3 p(-sx * x, sy * y, 0.1), q(sx * 3 * x, -sy * 3 * y, 0.1), away(-sx, -sy, 0.5);
       CHECK(predicates.values_within(std::array<Point_3, 2>{ p, q }, { -1, 1 }) != Verdict::PROVED);
       CHECK(predicates.values_within(Triangle{ p, q, away }, { -1, 1 }) != Verdict::PROVED);
-      // on the other side, it is inside
+      // On the other side, the segment is inside.
       const Point_3 inside_p(-sx * x, sy * (y - 0.01), 0.1);
       CHECK(predicates.values_within(std::array<Point_3, 2>{ inside_p, q }, { -1, 1 }) == Verdict::PROVED);
-      // and by much; corners and most of the facet are inside
+      // Here it leaves the domain by far; its ends and most of the facet are inside.
       const Point_3 far_p(-sx, sy * 1.5, 0.1), far_q(sx * 1.5, -sy, 0.1);
       CHECK(predicates.values_within(std::array<Point_3, 2>{ far_p, far_q }, { -1, 1 }) != Verdict::PROVED);
       CHECK(predicates.values_within(Triangle{ far_p, far_q, away }, { -1, 1 }) != Verdict::PROVED);
@@ -572,7 +573,7 @@ TEST_CASE("Predicates: a facet along the gradient does not face it, however thin
   CGAL::Random random(43);
   int inexact = 0;
   for(int n = 0; n < 8; ++n) {
-    // the gradient is an edge of the facet, exactly
+    // The gradient is exactly along an edge of the facet.
     const auto integer = [&] { return random.get_int(-100, 100); };
     const double a = integer(), b = integer(), c = 1 + std::abs(integer());
     const Field field = linear_field(a, b, c);
@@ -629,7 +630,7 @@ TEST_CASE(
     const Point_3 p = random_point(random, 3.5), q = random_point(random, 3.5);
     const double width = std::ldexp(1., -30 - n % 20);
     const Point_3 r = q + width * (random_point(random, 1) - CGAL::ORIGIN);
-    // a coefficient of one near its middle
+    // one coefficient is one, near the middle of the needle
     const Point_3 middle = CGAL::midpoint(p, q);
     Field field = cube_field();
     const double x = std::round(middle.x()), y = std::round(middle.y()), z = std::round(middle.z());
@@ -642,8 +643,8 @@ TEST_CASE(
     if(n < 20) CHECK(predicates.values_within(Triangle{ p, q, r }, { -1, 1.01 }) == Verdict::PROVED);
   }
   CHECK(seen == 200);
-  // so thin that rounded differences of the corners give any normal, or so; the facet leaves the levels a little before
-  // its highest point
+  // The triangle is so thin that rounded differences of its corners may give any normal. It leaves the levels just
+  // before its highest point.
   const Field field = random_field(17);
   const Predicates predicates(field);
   CGAL::Random other(17);
@@ -659,7 +660,7 @@ TEST_CASE(
 
 namespace {
 
-// cells of width one along the diagonal of the first quadrant, far from the origin at the other end
+// Returns a field on cells of width one along the diagonal of the first quadrant. One end is far from the origin.
 Field diagonal_field(int length)
 {
   std::vector<std::uint64_t> keys;
@@ -675,7 +676,7 @@ Field diagonal_field(int length)
 
 TEST_CASE("Predicates: on a segment that is long, what rounding makes of its middle is neither proved nor refuted")
 {
-  // a parabola along x with its top at the middles of all segments; steep across the diagonal
+  // The field is a parabola along x, whose top is at the middles of all segments. It is steep across the diagonal.
   constexpr double middle = 1024.3;
   Field field = diagonal_field(2050);
   set(field, [&](double x, double y, double) {
@@ -691,7 +692,7 @@ TEST_CASE("Predicates: on a segment that is long, what rounding makes of its mid
     Exact_point m;
     for(int a = 0; a < 3; ++a) m[a] = (Rational(p[a]) + Rational(q[a])) / 2;
     const Rational top = exact_value(field, m);
-    // the values just below and above
+    // the closest doubles below and above
     double below = CGAL::to_double(top), above = below;
     while(Rational(below) >= top) below = std::nextafter(below, -inf);
     while(Rational(above) <= top) above = std::nextafter(above, inf);
@@ -702,13 +703,14 @@ TEST_CASE("Predicates: on a segment that is long, what rounding makes of its mid
 
 TEST_CASE("Predicates: a point that is rounded to a face of cells is no witness by the cell on the wrong side of it")
 {
-  // -x - 0.001, and a cubic that is so steep for positive x that it takes part where these are less than rounding
+  // The field is -x - 0.001 for negative x. For positive x, it has a cubic term, which is large even where x is less
+  // than rounding.
   Field field = cube_field();
   set(field, [](double x, double, double) { return x == 2 ? std::ldexp(1., 175) : -x - 0.001; });
   const Predicates predicates(field);
   CGAL::Random random(83);
   for(int n = 0; n < 20; ++n) {
-    // a quarter of the way
+    // A quarter of the way, x differs from zero by rounding only.
     const double x = thirds(random, true);
     const Point_3 p(-x, 0.1, 0.2), q(3 * x, 0.3, 0.2);
     BS::Witness witness;
@@ -729,7 +731,7 @@ TEST_CASE(
   CGAL::Random random(91);
   int entered = 0;
   for(int n = 0; n < 128; ++n) {
-    // small facets about the origin, where eight cells meet, but for rounding
+    // Up to rounding, small facets are about the origin, where eight cells meet.
     const double size = std::ldexp(1. / 3, -4 - n % 16);
     const Vector_3 p = size * (random_point(random, 1) - CGAL::ORIGIN),
                    q = size * (random_point(random, 1) - CGAL::ORIGIN), r = -(p + q);
@@ -737,7 +739,7 @@ TEST_CASE(
     const Exact::Vector_3 normal = CGAL::cross_product(b - a, c - a);
     const Rational offset = normal * (a - CGAL::ORIGIN);
     if(offset == 0) continue;
-    // the cell with the diagonal that the plane cuts, and where it does
+    // the cell whose diagonal meets the plane, and the point where it does
     const auto sign = [&](int i) { return normal[i] * offset > 0 ? 1 : -1; };
     const Exact::Vector_3 diagonal(sign(0), sign(1), sign(2));
     const Exact::Point_3 x = CGAL::ORIGIN + offset / (normal * diagonal) * diagonal;
@@ -790,7 +792,7 @@ TEST_CASE("Thresholds: differences to them and their ranges on cells")
 
 TEST_CASE("Predicates: the bound of a slope that is nearly subnormal is not rounded up")
 {
-  // cells are so large that slopes per user unit have few bits
+  // Cells are so large that slopes per user unit have only few significant bits.
   constexpr double scale = 0x1p300;
   int known = 0;
   for(int n = 0; n < 60; ++n) {
@@ -827,7 +829,7 @@ TEST_CASE("Predicates: near the ends of the range of numbers, answers are those 
       const Verdict scaled_verdict = of_scaled.crosses_upwards(t, nullptr, nullptr, &slope);
       if(scaled_verdict != Verdict::UNDECIDED) CHECK(scaled_verdict == predicates.crosses_upwards(t));
       if(slope > 0) {
-        // compared at a size at which neither vanishes or overflows
+        // The comparison is scaled so that neither side underflows or overflows.
         const Vector_3 normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]), gradient = *field.gradient(t[0]);
         const double at_corner = normal * gradient / std::sqrt(normal.squared_length());
         CHECK(std::ldexp(slope, -exponent / 2) <= std::ldexp(at_corner, exponent - exponent / 2) * (1 + 1e-9));

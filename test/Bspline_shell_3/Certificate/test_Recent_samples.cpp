@@ -1,4 +1,4 @@
-// Recent_samples.h: what is kept of a vertex is its sample, whichever vertices were asked for before.
+// Recent_samples.h: each vertex gets its own sample, whichever vertices were requested before.
 #include "polynomial_fields.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Second_order_bounds_3.h>

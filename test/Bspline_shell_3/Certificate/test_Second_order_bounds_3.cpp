@@ -1,5 +1,5 @@
-// Second_order_bounds_3.h: what is proved holds, at every sample, by closed forms and by the predicates; what is wrong
-// by a hair is not proved; and most of what is true is.
+// Second_order_bounds_3.h: proved claims hold at all samples, by closed forms and by the predicates. Claims that just
+// fail are not proved. Most true claims are proved.
 #include "exact_spline.h"
 #include "polynomial_fields.h"
 #include "random_hierarchies.h"
@@ -56,7 +56,7 @@ bool is_contained(const Uniform_field& field, double inner, double outer, const 
 
 Vector_3 normal(const Triangle& t)
 {
-  // of any size
+  // Differences are scaled, so that triangles may have any size.
   double size = 0;
   for(const Vector_3& d : { t[1] - t[0], t[2] - t[0] })
     size = (std::max)({ size, std::abs(d.x()), std::abs(d.y()), std::abs(d.z()) });
@@ -64,7 +64,7 @@ Vector_3 normal(const Triangle& t)
   return n / std::sqrt(n.squared_length());
 }
 
-// calls visit(p) for points of a triangle, in it up to rounding
+// Calls visit(p) for points of a triangle, rounded.
 template <typename Visitor>
 void for_each_sample(const Triangle& t, const Visitor& visit, int parts = 16)
 {
@@ -109,7 +109,8 @@ Vector_3 random_vector(CGAL::Random& random, double reach)
   return Vector_3(random.get_double(-reach, reach), random.get_double(-reach, reach), random.get_double(-reach, reach));
 }
 
-// of all sizes; needles, facets in a plane of the cells' faces, and ones with corners at the cells' corners among them
+// Returns triangles of all sizes: also needles, facets in planes of cell faces, and facets whose corners are corners of
+// cells.
 Triangle random_triangle(CGAL::Random& random, int n)
 {
   const double size = std::ldexp(1., -(n % 7));
@@ -135,10 +136,10 @@ void set_random(Field& field, CGAL::Random& random, const Polynomial& mean, doub
 }
 
 const Polynomial height = { { 1, { 0, 0, 1 } } }, nothing = { { 0, { 0, 0, 0 } } };
-// -(x^2 + y^2) where z is 0.1
+// -(x^2 + y^2) in the plane z = 0.1
 const Polynomial dome = { { -1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } }, { 1, { 0, 0, 1 } }, { -0.1, { 0, 0, 0 } } };
 
-// in a horizontal plane around the z-axis, facing upwards
+// Returns a triangle in a horizontal plane, around the z-axis and facing upwards.
 Triangle horizontal(double radius, double z)
 {
   const double h = radius * std::sqrt(0.75);
@@ -161,7 +162,7 @@ TEST_CASE("Second-order bounds: what is proved holds at all samples, up to thres
   int proved = 0, transversal = 0, missed = 0;
   for(int n = 0; n < 60; ++n) {
     CGAL::Random random{ unsigned(n) };
-    // from nearly linear ones to noise
+    // fields range from nearly linear to noise
     set_random(field, random, n % 3 == 0 ? nothing : height, std::ldexp(0.3, -n % 9));
     const Triangle t = random_triangle(random, n);
     if(CGAL::collinear(t[0], t[1], t[2])) continue;
@@ -210,7 +211,7 @@ TEST_CASE(
     const BS::Field_predicates_3<Hierarchical_field> predicates(field);
     for(int n = 0; n < 60; ++n) {
       Triangle t = random_triangle(random, n);
-      if(n % 2 == 0) // where leaves are smallest
+      if(n % 2 == 0) // move it to where leaves are smallest
         for(Point_3& p : t) {
           const auto cell = field.cell(field.locate(p)).bbox();
           p = CGAL::midpoint(p, Point_3(cell.xmin(), cell.ymin(), cell.zmin()));
@@ -222,7 +223,7 @@ TEST_CASE(
         double least = inf;
         for_each_sample(t, [&](const Point_3& p) {
           const auto c = field.locate(p);
-          if(c == Hierarchical_field::npos) return; // at the end of the domain, by rounding
+          if(c == Hierarchical_field::npos) return; // outside the domain, by rounding
           const double f = field.cell(c).value(p);
           least = (std::min)({ least, f - inner.cell(c).value(p), outer.cell(c).value(p) - f });
         });
@@ -251,7 +252,7 @@ TEST_CASE("Second-order bounds: a peak in a facet or on an edge is seen, by a ha
       CHECK_FALSE(is_contained(field, -1, -hair, t));
       if(hair > 1e-9) CHECK(is_contained(field, -1, hair, t));
     }
-  // the bound is the least one of its kind: it is attained in the middle of an equilateral triangle in one cell
+  // The bound is the best of its kind: it is attained in the middle of an equilateral triangle in one cell.
   const Triangle in_a_cell = { Point_3(0.125 + 0.0625, 0.125, 0.1),
                                Point_3(0.125 - 0.03125, 0.125 + 0.0625 * std::sqrt(0.75), 0.1),
                                Point_3(0.125 - 0.03125, 0.125 - 0.0625 * std::sqrt(0.75), 0.1) };
@@ -272,11 +273,11 @@ TEST_CASE("Second-order bounds: a peak in a facet or on an edge is seen, by a ha
                                             { -0.1, { 0, 0, 0 } } });
   CHECK(is_contained(pit, -peak - 1e-12, 1, in_a_cell, 0));
   CHECK_FALSE(is_contained(pit, -peak + 1e-12, 1, in_a_cell));
-  for(double share : { 0.1, 0.2, 0.4 }) { // of the difference to the corners
+  for(double share : { 0.1, 0.2, 0.4 }) { // relative to the height above the corners
     CHECK_FALSE(is_contained(centered, -1, peak - share * 0.0625 * 0.0625, in_a_cell, 0));
     CHECK_FALSE(is_contained(pit, -peak + share * 0.0625 * 0.0625, 1, in_a_cell, 0));
   }
-  // towards the other threshold, the corners decide, whatever the size of the facet
+  // At the other threshold, the corners decide, whatever the size of the facet.
   const Triangle large = horizontal(0.4, 0.1);
   const double at_corners = values(field, large).lowest;
   CHECK(is_contained(field, at_corners - 1e-12, 0.5, large));
@@ -287,12 +288,13 @@ TEST_CASE("Second-order bounds: a peak in a facet or on an edge is seen, by a ha
 TEST_CASE(
   "Second-order bounds: a facet that rises from a threshold may bend towards it by much more than the least distance")
 {
-  // x^2 + z: where z is 0.1, by 0.001 above the inner threshold where x is 0, and by 0.04 more at the other end
+  // The field is x^2 + z. At z = 0.1, it exceeds the inner threshold by 0.001 where x is 0, and by 0.04 more at the
+  // other end.
   constexpr double low = 0.001;
   const Triangle t = { Point_3(0, 0.1, 0.1), Point_3(0.2, 0.1, 0.1), Point_3(0.2, 0.2, 0.1) };
   CHECK(is_contained(uniform_field({ { 1, { 2, 0, 0 } }, { 1, { 0, 0, 1 } } }), 0.1 - low, 1, t, 0));
   CHECK(is_contained(uniform_field({ { -1, { 2, 0, 0 } }, { 1, { 0, 0, 1 } } }), -1, 0.1 + low, t, 0));
-  // 4 (x - 0.1)^2 is as high at both ends, and does not bend away from zero in between
+  // 4 (x - 0.1)^2 is equally high at both ends, but sinks in between.
   const Polynomial sinking = { { 4, { 2, 0, 0 } }, { -0.8, { 1, 0, 0 } }, { 0.04, { 0, 0, 0 } }, { 1, { 0, 0, 1 } } };
   CHECK_FALSE(is_contained(uniform_field(sinking), 0.1 + low, 1, t));
   CHECK(is_contained(uniform_field(sinking), 0.1 - low, 1, t));
@@ -301,12 +303,13 @@ TEST_CASE(
 TEST_CASE(
   "Second-order bounds: peaks are seen where a cell is most curved, and those that only mixed derivatives raise")
 {
-  // -(x^3 + y^3), with a peak at (0.23, 0.23) in the cell from 0 to 1/4: the largest curvature is nearly twice the mean
-  // one
+  // -(x^3 + y^3), with a peak at (0.23, 0.23) in the cell from 0 to 1/4. Its largest second derivative in the cell is
+  // nearly twice the mean.
   constexpr double at = 0.23, radius = 0.015;
   const Triangle corner = { Point_3(at + radius, at, 0.1), Point_3(at - radius / 2, at + radius * std::sqrt(0.75), 0.1),
                             Point_3(at - radius / 2, at - radius * std::sqrt(0.75), 0.1) };
-  // z x y, near the end of a cell where z is 1/4: a needle along (1, -1), higher in the middle
+  // z x y, near the end of a cell where z is 1/4. The triangle is a needle along (1, -1); the field is higher in its
+  // middle.
   constexpr double top = 0.245;
   const Triangle ridge = { Point_3(0.22, 0.02, top), Point_3(0.02, 0.22, top), Point_3(0.219, 0.019, top) };
   for(double sign : { 1., -1. }) {
@@ -335,7 +338,7 @@ TEST_CASE(
 
 TEST_CASE("Second-order bounds: a facet that is turned only in cells that hold none of its corners is seen")
 {
-  // z times a function of x that is nearly |x|, and negative by a hair at 0
+  // z times a function of x that is close to |x|, and slightly negative at 0
   constexpr double width = 0.25;
   for(double hair : { 1e-9, 0.1, -0.5 }) {
     Uniform_field field(cells_of_cube());
@@ -366,7 +369,7 @@ TEST_CASE("Second-order bounds: a facet that is turned only in cells that hold n
 
 TEST_CASE("Second-order bounds: what a facet's own plane does not show costs nothing")
 {
-  // steep and curved across the facet, linear in its plane
+  // The field is steep and curved across the facet, but linear in its plane.
   const Uniform_field field = uniform_field(
     { { 1, { 0, 0, 1 } }, { 0.9, { 0, 0, 2 } }, { 0.7, { 0, 0, 3 } }, { 0.2, { 1, 0, 0 } } });
   const Triangle t = { Point_3(-0.3, -0.2, 0.3), Point_3(0.3, -0.2, 0.3), Point_3(0, 0.3, 0.3) };
@@ -391,7 +394,7 @@ TEST_CASE("Second-order bounds: a bump in a few of the smallest cells is seen, w
   const int finest = field.number_of_levels() - 1;
   REQUIRE(finest == 3);
   const double width = field.cells().level_width(finest);
-  // of a coefficient's function, at its point
+  // value of a basis function at its center
   const double peak = 8. / 27;
   int bumps = 0;
   for(Hierarchical_field::Cell_index n = 0; n < field.points(finest).size() && bumps < 7; n += 29) {
@@ -401,7 +404,7 @@ TEST_CASE("Second-order bounds: a bump in a few of the smallest cells is seen, w
     const Point_3 top((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2);
     if(!(std::abs(top.x()) < 0.8 && std::abs(top.y()) < 0.8 && std::abs(top.z()) < 0.8)) continue;
     ++bumps;
-    // its corners, and first of all the middles of its edges, are where nobody knows of the bump
+    // The bump is missed by the samples at the corners, and by the first ones at middles of edges.
     const double x = random.get_double(-1, 1) * width, y = random.get_double(-1, 1) * width,
                  size = (n % 2 ? 1.3 : 0.3) + random.get_double(0, 0.05);
     Triangle t = { top + Vector_3(x - 0.6 * size, y - 0.4 * size, 0), top + Vector_3(x + 0.5 * size, y - 0.5 * size, 0),
@@ -416,7 +419,7 @@ TEST_CASE("Second-order bounds: a bump in a few of the smallest cells is seen, w
       return f;
     };
     REQUIRE(examine(Varying_bounds(field, Varying(inner), Varying(outer)), t).is_contained);
-    // the field, or a threshold: by an eighth more than there is room for, or an eighth less
+    // A bump of the field or of a threshold, 1/8 higher than the room permits, or 1/8 lower.
     for(double sign : { 1., -1. }) {
       const double bump = sign * 0.2 / peak;
       const Hierarchical_field too_high = with_bump(field, 1.125 * bump), high = with_bump(field, 0.875 * bump);
@@ -468,7 +471,7 @@ TEST_CASE("Second-order bounds: a facet faces along the gradient or not, to a ha
   CHECK(tilted.slope > 0.9e-9 / 0.4);
   CHECK_FALSE(examine(flat, { p, q, Point_3(0, -1e-9, 0.4) }).is_transversal);
   CHECK_FALSE(examine(flat, { p, q, Point_3(0, 0, 0.4) }).is_transversal);
-  // turned in the middle only, by a hair: the slope is 1 + c (x^2 - 1/25) for a horizontal facet
+  // The facet is turned only near its middle, and only slightly: the slope of a horizontal facet is `least` + 2 x^2.
   const Triangle around = { Point_3(-0.5, -0.3, 0.1), Point_3(0.5, -0.3, 0.1), Point_3(0, 0.5, 0.1) };
   for(double hair : { 1e-12, 1e-3 }) {
     for(double sign : { 1., -1. }) {
@@ -487,7 +490,7 @@ TEST_CASE(
 {
   const Uniform_field field = uniform_field(height);
   const Bounds bounds = between(field, -0.95, 0.95);
-  // the sign of the exact normal's z decides
+  // The sign of the exact normal's z decides.
   const Point_3 p(-0.55, 0.15, 0.35), q(0.65, 0.55, 0.45), up = CGAL::midpoint(p, q) + Vector_3(-0.4e-12, 1.2e-12, 0);
   CHECK(examine(bounds, { p, q, up }).is_transversal);
   CHECK(examine(bounds, { p, q, up }).is_contained);
@@ -502,7 +505,7 @@ TEST_CASE(
     CHECK(is_contained(field, 0.25 - 1e-12, 0.25 + 1e-12, t));
     CHECK_FALSE(is_contained(field, 0.25 + 1e-12, 1, t));
     CHECK_FALSE(is_contained(field, -1, 0.25 - 1e-12, t));
-    CHECK_FALSE(is_contained(field, 0.25, 1, t)); // no bound tells that they touch
+    CHECK_FALSE(is_contained(field, 0.25, 1, t)); // bounds cannot decide whether they touch
   }
 }
 
@@ -525,7 +528,7 @@ TEST_CASE("Second-order bounds: nothing is proved beyond the end of the domain, 
     return found.is_contained && found.is_transversal;
   };
   for(double z : { 0.1, 0.25 }) {
-    // corners outside; around the hole; into it by a hair, and only just not
+    // corners outside the domain; around the hole; slightly into it; just outside it
     CHECK_FALSE(proves_any({ Point_3(0, 0, z), Point_3(2, 0, z), Point_3(0, -0.9, z) }));
     CHECK_FALSE(proves_any({ Point_3(-0.6, 0, z), Point_3(0.8, 0.1, z), Point_3(0.1, 0.9, z) }));
     CHECK_FALSE(proves_any({ Point_3(-0.2, 0.1, z), Point_3(0.4, 0.1, z), Point_3(0.125, 0.25 + 1e-9, z) }));
@@ -562,7 +565,7 @@ TEST_CASE(
       for(int n = 0; n < 3; ++n) {
         std::array<Hierarchical_field, 3> f = { { field, inner, outer } };
         Eigen::VectorXd x = f[which].coefficients();
-        // one of small cells, or of large ones
+        // a coefficient of small cells, or of large ones
         x[n == 0 ? random.get_int(0, int(x.size()) / 2) : int(x.size()) - 1 - random.get_int(0, 600)] = bad;
         f[which].set_coefficients(x);
         const Varying_bounds bounds(f[0], Varying(f[1]), Varying(f[2]));
@@ -605,7 +608,7 @@ TEST_CASE("Second-order bounds: rounding proves nothing where values are large c
     for(int m = 0; m < 16; ++m) {
       const Point_3 p = CGAL::ORIGIN + random_vector(random, 0.9);
       const Triangle t = { p, p + Vector_3(-1e-3, 0, -1e-2), p + Vector_3(0, -1e-3, -1e-2) };
-      // the largest number that is less than the field at a corner
+      // the largest double that is less than the field at a corner
       double level = *field.value(p) + 1e-8;
       while(predicates.compare(p, level) != CGAL::LARGER) level = std::nextafter(level, -inf);
       ++exceeded;
@@ -643,7 +646,7 @@ TEST_CASE("Second-order bounds: the answers are the same at any scale that is a 
     const double scale = std::ldexp(1., exponent);
     const Uniform_field field = fields(scale);
     for(double size : { 1., 0.5, 0.125, std::ldexp(1., -10) }) {
-      // the peak 0.1 is in the middle
+      // The peak, 0.1, is in the middle.
       const Triangle here = scaled({ Point_3(size * t[0].x(), size * t[0].y(), 0.1),
                                      Point_3(size * t[1].x(), size * t[1].y(), 0.1),
                                      Point_3(size * t[2].x(), size * t[2].y(), 0.1) },
@@ -659,7 +662,7 @@ TEST_CASE("Second-order bounds: the answers are the same at any scale that is a 
       if(found.is_transversal) CHECK(found.slope <= 1 + 1e-12);
     }
   }
-  // in cells of ordinary size
+  // in cells of width one quarter
   const Uniform_field field = fields(1);
   const Bounds bounds = between(field, -0.5, 0.5);
   for(double size : { 1e-20, 1e-100, 1e-200, 1e-300 }) {
@@ -781,11 +784,11 @@ TEST_CASE("Second-order bounds: near the origin, where places have no errors, ro
     for(int m = 0; m < 8; ++m) {
       const Point_3 p = CGAL::ORIGIN + random_vector(random, 1e-9);
       const auto g = field.gradient(p);
-      // from the corner, all of the facet is lower, or higher
+      // All other points of the facet are lower than the corner, or all are higher.
       const Vector_3 along = (1e-9 / std::sqrt(g->squared_length())) * *g,
                      u = 0.1 * CGAL::cross_product(along, Vector_3(0.36, 0.48, 0.8)),
                      v = 1e9 * CGAL::cross_product(along, u);
-      // the number next to the field at the corner that is less, or larger
+      // the closest doubles below and above the field at the corner
       double level = *field.value(p) + 1e-14;
       while(predicates.compare(p, level) != CGAL::LARGER) level = std::nextafter(level, -inf);
       CHECK_FALSE(is_contained(field, -10, level, { p, p - along + u, p - along + v }, 0));
@@ -800,7 +803,7 @@ TEST_CASE("Second-order bounds: near the origin, where places have no errors, ro
 
 TEST_CASE("Second-order bounds: what only a mixed derivative raises is seen for each pair of axes")
 {
-  // x y, and so on, on needles along the diagonal: higher in the middle
+  // x y, and permutations, on needles along the diagonal; higher in the middle
   for(int axis = 0; axis < 3; ++axis)
     for(double sign : { 1., -1. }) {
       const int a = axis, b = (axis + 1) % 3, c = (axis + 2) % 3;
@@ -808,7 +811,7 @@ TEST_CASE("Second-order bounds: what only a mixed derivative raises is seen for 
       mixed[0].power[a] = mixed[0].power[b] = 1;
       mixed[1].power[a] = 1;
       mixed[2].power[b] = 1;
-      mixed.push_back({ 1, { 0, 0, 0 } }); // faces along the third axis
+      mixed.push_back({ 1, { 0, 0, 0 } }); // rises along the third axis
       mixed[3].power[c] = 1;
       const auto point = [&](double x, double y) {
         std::array<double, 3> p;
@@ -835,7 +838,7 @@ TEST_CASE("Second-order bounds: a facet along the gradient does not face it, how
   CGAL::Random random(67);
   int inexact = 0;
   for(int n = 0; n < 200; ++n) {
-    // the gradient is an edge of the facet, exactly
+    // The gradient is exactly along an edge of the facet.
     const auto integer = [&] { return random.get_int(-60, 60); };
     const double a = integer(), b = integer(), c = 1 + std::abs(integer());
     const Uniform_field field = uniform_field({ { a, { 1, 0, 0 } }, { b, { 0, 1, 0 } }, { c, { 0, 0, 1 } } });
@@ -850,7 +853,7 @@ TEST_CASE("Second-order bounds: a facet along the gradient does not face it, how
       for(double wanted : { 0., 1e-12 }) {
         const auto found = examine(bounds, t, many, wanted);
         CHECK_FALSE(found.is_transversal);
-        CHECK_FALSE(found.faces_away); // neither does it face away
+        CHECK_FALSE(found.faces_away); // it does not face away either
       }
   }
   CHECK(inexact > 100);
@@ -859,8 +862,8 @@ TEST_CASE("Second-order bounds: a facet along the gradient does not face it, how
 TEST_CASE("Second-order bounds: what leaves the domain between its corners by less than rounding is not proved")
 {
   CGAL::Random random(71);
-  // The point at three sixteenths of the way from -x to y is on one side of zero; from rounded middles of middles, it
-  // is on the other.
+  // The exact point at 3/16 of the way from -x to y is on one side of zero. Repeated midpoints with rounding are on the
+  // other side.
   const auto ends = [&](bool is_above) {
     for(;;) {
       const double x = random.get_double(0.1, 0.2) + std::ldexp(random.get_double(0, 1), -34), y = 13 * x / 3;
@@ -878,7 +881,7 @@ TEST_CASE("Second-order bounds: what leaves the domain between its corners by le
     Uniform_field field{ Root_cells(BS::Lattice_3(CGAL::Bbox_3(-2, -2, -2, 2, 2, 2), 1), keys) };
     set_polynomial(field, height);
     const Bounds bounds = between(field, -5, 5);
-    const double sx = missing & 1 ? 1 : -1, sy = missing & 2 ? 1 : -1; // towards the cells that are missing
+    const double sx = missing & 1 ? 1 : -1, sy = missing & 2 ? 1 : -1; // towards the missing cells
     for(int n = 0; n < 16; ++n) {
       const auto x = ends(true), y = ends(false);
       const Triangle t = { Point_3(-sx * x.first, sy * y.first, 0.1), Point_3(sx * x.second, -sy * y.second, 0.1),
@@ -894,10 +897,10 @@ TEST_CASE("Second-order bounds: what leaves the domain between its corners by le
 
 namespace {
 
-// Bernstein coefficients along one axis of a cell, or of their product over the cell
+// Bernstein coefficients along one axis of a cell, and those of products over the cell.
 typedef std::array<double, 4> Cubic;
 typedef std::array<double, 64> Tricubic;
-const Cubic one = { 1, 1, 1, 1 }, three_t = { 0, 1, 2, 3 }, rising = { -3, -1, 1, 3 }; // six times t - 1/2
+const Cubic one = { 1, 1, 1, 1 }, three_t = { 0, 1, 2, 3 }, rising = { -3, -1, 1, 3 }; // 6 (t - 1/2)
 const Cubic parabola = { 3, -1, -1, 3 };                                               // 12 (t - 1/2)^2
 
 Tricubic product(const Cubic& x, const Cubic& y, const Cubic& z)
@@ -917,7 +920,7 @@ Tricubic operator+(Tricubic a, const Tricubic& b)
   return a;
 }
 
-// The least a field can be: coefficients on some cells, known to within a radius. The cells cover a box.
+// A minimal field: coefficients on some cells, known up to a radius. The cells cover a box.
 class Known_cells
 {
 public:
@@ -935,7 +938,7 @@ public:
   Known_cells(std::vector<Piece> pieces, const CGAL::Bbox_3& covered, double radius = 0)
     : m_pieces(std::move(pieces)), m_covered(covered), m_radius(radius)
   {}
-  // the cell from 0 to 1
+  // Constructs a field on the cell from 0 to 1.
   explicit Known_cells(const Tricubic& b, double radius = 0)
     : Known_cells({ { { 0, 0, 0 }, 1, b } }, CGAL::Bbox_3(0, 0, 0, 1, 1, 1), radius)
   {}
@@ -965,7 +968,7 @@ private:
   CGAL::Bbox_3 m_covered;
   double m_radius;
 };
-// A field whose cells cannot be had a few times.
+// A field whose `cell()` throws a few times.
 struct Failing_cells : Known_cells
 {
   using Known_cells::Known_cells;
@@ -974,7 +977,7 @@ struct Failing_cells : Known_cells
     if(failures-- > 0) throw std::runtime_error("no cell");
     return Known_cells::cell(c);
   }
-  mutable int failures = 0; // that are left
+  mutable int failures = 0; // how often `cell()` will still throw
 };
 typedef BS::Second_order_bounds_3<Known_cells> Known_bounds;
 
@@ -983,7 +986,7 @@ Known_bounds between(const Known_cells& field, double inner, double outer)
   return Known_bounds(field, Constant(inner), Constant(outer));
 }
 
-// the value of a function on the cell from 0 to 1, exact, or a derivative
+// Returns the exact value of a function, or of a derivative, on the cell from 0 to 1.
 Rational exact_value(const Tricubic& b, const Exact_point& p, const std::array<int, 3>& order = { 0, 0, 0 })
 {
   std::array<Rational, 64> exact_coefficients;
@@ -1022,7 +1025,7 @@ TEST_CASE("Second-order bounds: of a field known to within a radius, what is pro
   }
   SECTION("slopes: coefficients that go up and down by one change those by six")
   {
-    // of both, one has a slope of the other sign where t is 0
+    // Some function within the radius has a slope of the other sign where t is 0.
     CHECK_FALSE(found(5. / 6 * rise, -100, 100, small).is_transversal);
     CHECK_FALSE(found(-5. / 6 * rise, -100, 100, small).faces_away);
     CHECK(found(-10. * rise, -200, 200, small).faces_away);
@@ -1100,7 +1103,7 @@ TEST_CASE("Second-order bounds: an exception of the field's passes through, and 
 TEST_CASE(
   "Second-order bounds: a facet in a threshold's range leaves the shell only where it does, by the threshold there")
 {
-  // the thresholds vary by less than a thousandth of the thickness
+  // The thresholds vary by less than 1/1000 of the thickness.
   const auto leaves = [](double value) {
     const Tricubic constant = product(one, one, one), variation = 2e-4 / 3 * product(three_t, one, one);
     const Known_cells field(value * constant), inner(variation), outer(constant + variation);
@@ -1121,7 +1124,7 @@ TEST_CASE("Second-order bounds: what is proved holds for all normals within thei
 {
   SECTION("the slope along one that is not the middle one")
   {
-    // 3 z + phi(x), where phi' is near zero at the corners, and -72 halfway
+    // 3 z + phi(x), where phi' is near zero at the corners, and -72 halfway between them
     constexpr double radius = 1. / 16;
     const Known_cells field(product(one, one, three_t) + -48. * product({ 0, 0, 1, 1 }, one, one));
     const Triangle t = { Point_3(0.03125, 0.25, 0.5), Point_3(0.96875, 0.25, 0.5 - 0.9375 * radius),
@@ -1133,8 +1136,8 @@ TEST_CASE("Second-order bounds: what is proved holds for all normals within thei
   }
   SECTION("cells that the facet reaches, but the plane across the middle one does not")
   {
-    // 3000 z^3 (2.875 - x) where z is negative, and zero above; and a function that is zero on the facet, and rises
-    // across it
+    // 3000 z^3 (2.875 - x) for negative z, and zero above, plus a function that vanishes on the facet and rises across
+    // it.
     constexpr double radius = 0.25, end = 2.875;
     std::vector<Known_cells::Piece> cells;
     for(int i = 0; i < 3; ++i)
@@ -1172,7 +1175,8 @@ TEST_CASE("Second-order bounds: a mixed derivative that changes its sign in a ce
         return product(all[0], all[1], all[2]);
       };
       for(double sign : { 1., -1. }) {
-        // 72 (x - 1/2)^2 (y - 1/2), rising along the third axis, and what makes the ends of a needle equally high
+        // 72 (x - 1/2)^2 (y - 1/2), rising along the third axis, plus a linear term that makes the ends of a needle
+        // equally high
         const Tricubic curved = sign * along_axes(parabola, rising);
         Triangle needle = { with_axes(a, 0.97, b, 0.03, 0.5), with_axes(a, 0.8, b, 0.97, 0.5),
                             with_axes(a, 0.81, b, 0.97, 0.5) };
@@ -1191,7 +1195,7 @@ TEST_CASE("Second-order bounds: a mixed derivative that changes its sign in a ce
         }
         CHECK(examine(between(field, -100, 100), needle, 0).is_contained);
       }
-      // 36 (x - 1/2)^2 y, and so on: the slope along an axis is least halfway along another
+      // 36 (x - 1/2)^2 y, and permutations: the slope along one axis is least halfway along another
       for(double hair : { 1., 0.1 }) {
         const Known_cells field(along_axes(parabola, three_t) + -hair * along_axes(one, three_t));
         Triangle t = { with_axes(a, 0.05, b, 0.5, 0.4), with_axes(a, 0.95, b, 0.5, 0.4),
@@ -1210,8 +1214,8 @@ TEST_CASE("Second-order bounds: a mixed derivative that changes its sign in a ce
 TEST_CASE("Second-order bounds: a slope that falls as fast as the bound allows to the middle of a facet, and then "
           "rises, is seen")
 {
-  // 3 z (phi(x) - hair), where phi is 3 |x| but near 0, in cells of an eighth: the bound is off by a 25th of what it
-  // allows
+  // 3 z (phi(x) - hair), where phi is 3 |x| except near 0, on cells of width 1/8. Here, the bound allows a fall that is
+  // only 1/25 larger than the actual one.
   constexpr double h = 0.125;
   const Cubic falls = { 3.25, 2.25, 1.25, 0.25 }, rises = { 0.25, 1.25, 2.25, 3.25 }, left = { 0.25, 0.125, 0, 0 },
               right = { 0, 0, 0.125, 0.25 };
@@ -1232,7 +1236,7 @@ TEST_CASE("Second-order bounds: a slope that falls as fast as the bound allows t
 TEST_CASE("Second-order bounds: far from the origin, a facet that is turned where its middle is rounded away is not "
           "proved to face upwards")
 {
-  // in a cell from 2^30 on; from its corner, the slope along z is 9 (x - 1/2)^2 / 2^17 - 12 (z - 1/2) + 3 ulp
+  // The cell begins at 2^30. Relative to its corner, the slope along z is 9 (x - 1/2)^2 / 2^17 - 12 (z - 1/2) + 3 ulp.
   const double far = std::ldexp(1., 30), ulp = std::ldexp(1., -22);
   const Tricubic f = std::ldexp(1., -19) * product(parabola, one, three_t) + -0.5 * product(one, one, parabola)
                      + ulp * product(one, one, three_t);
@@ -1255,15 +1259,15 @@ TEST_CASE("Second-order bounds: far from the origin, a facet that is turned wher
 TEST_CASE("Second-order bounds: far from the origin, a facet that crosses a threshold where its middle is rounded away "
           "is not proved contained")
 {
-  // in a cell from 2^30 on; from its corner, 12 (x - 1/2)^2 + 6 (z - 1/2), and for the outer threshold the first term
-  // taken away
+  // The cell begins at 2^30. Relative to its corner, the field is 12 (x - 1/2)^2 + 6 (z - 1/2). For the outer
+  // threshold, the first term is subtracted.
   const double far = std::ldexp(1., 30), ulp = std::ldexp(1., -22);
   for(double side : { 1., -1. }) {
     const Tricubic f = side * product(parabola, one, one) + product(one, one, rising);
     const Known_cells field({ { { 0, 0, far }, 1, f } }, CGAL::Bbox_3(0, 0, far, 1, 1, far + 1));
     const Triangle t = { Point_3(0.25, 0.2, far + 0.5), Point_3(0.75, 0.2, far + 0.5 - side * ulp),
                          Point_3(0.5, 0.203125, far + 0.5 + side * 4 * ulp) };
-    // halfway between the exact middle of an edge, and where it is rounded to
+    // halfway between the field at the exact middle of an edge and at the rounded one
     const double threshold = -side * 1.5 * ulp;
     const Exact_point middle = { Rational(0.5), Rational(0.2), Rational(0.5) - Rational(side * ulp) / 2 };
     REQUIRE(side * (exact_value(f, middle, { 0, 0, 0 }) - Rational(threshold)) < 0);
@@ -1271,7 +1275,7 @@ TEST_CASE("Second-order bounds: far from the origin, a facet that crosses a thre
     const auto found = side > 0 ? examine(between(field, threshold, 100), t)
                                 : examine(between(field, -100, threshold), t);
     CHECK_FALSE(found.is_contained);
-    // what spoils the proof is the place: with a threshold a little farther away, there is one
+    // Only the rounding of the place prevents the proof: with a slightly farther threshold, it succeeds.
     const double farther = threshold - side * 1e-3;
     CHECK(
       (side > 0 ? examine(between(field, farther, 100), t) : examine(between(field, -100, farther), t)).is_contained);
@@ -1280,7 +1284,8 @@ TEST_CASE("Second-order bounds: far from the origin, a facet that crosses a thre
 
 TEST_CASE("Second-order bounds: a facet is low in a cell that holds one of its corners only")
 {
-  // 600 (x - 1)^3 (y - 1/2) where x is larger than 1, and rising along z: zero at all corners, -11 on an edge
+  // 600 (x - 1)^3 (y - 1/2) where x > 1, plus a function that rises along z. It is zero at all corners, and -11 at a
+  // point of an edge.
   const Tricubic rise = product(one, one, rising), wild = 100. * product({ 0, 0, 0, 1 }, rising, one);
   const Known_cells field({ { { 0, 0, 0 }, 1, 10. * rise }, { { 1, 0, 0 }, 1, 10. * rise + wild } },
                           CGAL::Bbox_3(0, 0, 0, 2, 1, 1));

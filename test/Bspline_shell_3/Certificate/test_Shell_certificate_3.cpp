@@ -1,5 +1,5 @@
-// Shell_certificate_3.h, Shell_cover_3.h, critical_point.h, Thresholds.h: what is true is proved, planted faults are
-// found and named, and nothing is claimed that does not hold.
+// Shell_certificate_3.h, Shell_cover_3.h, critical_point.h, Thresholds.h: true claims are proved, planted faults are
+// located, and no false claim is proved.
 #include "exact_spline.h"
 #include "test_meshes.h"
 
@@ -31,7 +31,7 @@ typedef BS::Certificate_witness Place;
 using BS::Claim;
 using BS::Verdict;
 
-// all cells of a cube of the given half side about the origin
+// Returns a field on all cells of a cube about the origin.
 Field cube_field(int half_cells, double spacing)
 {
   const double h = half_cells * spacing;
@@ -42,7 +42,7 @@ Field cube_field(int half_cells, double spacing)
   return Field(BS::Cell_complex_3(BS::Lattice_3(CGAL::Bbox_3(-h, -h, -h, h, h, h), spacing), keys));
 }
 
-// sets the coefficients from a function of the point that each is centered at
+// Sets each coefficient by a function of the point at which its basis function is centered.
 template <typename Function>
 void set(Field& field, const Function& f)
 {
@@ -55,7 +55,7 @@ void set(Field& field, const Function& f)
   field.set_coefficients(x);
 }
 
-// about |x|, with its only critical point at the origin
+// Returns a field close to |x|; its only critical point is the origin.
 Field radial_field(double scale = 1)
 {
   Field field = cube_field(12, scale / 8);
@@ -63,7 +63,7 @@ Field radial_field(double scale = 1)
   return field;
 }
 
-// a x^2 + b y^2 + c z^2 exactly, with spacing one: the coefficients of x^2 are x^2 - 1/3
+// Returns a x^2 + b y^2 + c z^2, exactly, with cells of width one: the coefficients of x^2 are x^2 - 1/3.
 Field quadratic_field(double a, double b, double c)
 {
   Field field = cube_field(4, 1);
@@ -71,7 +71,7 @@ Field quadratic_field(double a, double b, double c)
   return field;
 }
 
-// A star pentagon as equator of a double pyramid: a surface that covers each direction twice.
+// Returns a double pyramid over a star pentagon. The surface covers each direction twice.
 Mesh pentagram_bipyramid()
 {
   Mesh mesh;
@@ -127,7 +127,7 @@ TEST_CASE("Certificate: the shell of a sphere is certified, with quantities that
   const CGAL::Bspline_shell_3<> shell = CGAL::bspline_shell_3(mesh, P::resolution(16));
   REQUIRE(shell);
   Certificate certificate(shell);
-  CHECK_FALSE(certificate); // nothing was verified yet
+  CHECK_FALSE(certificate); // nothing has been verified yet
   for(int c = 0; c < 5; ++c) CHECK(certificate.verdict(Claim(c)) == Verdict::UNDECIDED);
   REQUIRE(certificate.verify(mesh));
   CHECK(certificate);
@@ -137,7 +137,7 @@ TEST_CASE("Certificate: the shell of a sphere is certified, with quantities that
   REQUIRE(certificate.paths().size() == 1);
   CHECK(certificate.singular_vertices().empty());
 
-  // bounds, against samples
+  // Bounds are compared with samples.
   double least = 1e9, greatest = 0, least_angle = 1e9;
   for(auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
@@ -162,7 +162,7 @@ TEST_CASE("Certificate: the shell of a sphere is certified, with quantities that
   CHECK(certificate.displacement_bound() >= shell.thickness() / least);
   CHECK(certificate.displacement_bound() <= 2 * shell.thickness() / least);
 
-  // the lengths of integral curves through the middles of facets, traced in small steps
+  // Integral curves through the middles of facets are traced in small steps. Their lengths must not exceed the bounds.
   const std::vector<double> displacements = certificate.displacement_bounds();
   REQUIRE(displacements.size() == mesh.number_of_faces());
   for(auto f : mesh.faces()) {
@@ -183,7 +183,7 @@ TEST_CASE("Certificate: the shell of a sphere is certified, with quantities that
     CHECK(displacements[std::size_t(f)] <= certificate.displacement_bound());
   }
 
-  // any other mesh in the shell: the same sphere, turned
+  // The sphere is turned about the z-axis, and remains in the shell.
   Mesh turned = mesh;
   const double c = std::cos(0.3), s = std::sin(0.3);
   for(auto v : turned.vertices()) {
@@ -200,7 +200,7 @@ TEST_CASE("Certificate: bounds hold for all of the shell, also where the field i
           "[slow]")
 {
   const Mesh mesh = sphere(2);
-  // ten times as steep above as below
+  // The field is ten times as steep above as below.
   Field field = radial_field();
   set(field, [](double x, double y, double z) {
     const double t = (std::min)((std::max)(z / 0.8, 0.), 1.);
@@ -219,7 +219,7 @@ TEST_CASE("Certificate: bounds hold for all of the shell, also where the field i
   CHECK(certificate.least_angle() > 0);
   CHECK(certificate.least_angle() <= least_angle);
 
-  // wide above, narrow below: the integral curve upwards is 0.606 long
+  // The shell is thick above and thin below: the integral curve upwards is 0.606 long.
   typedef BS::Spline_threshold<Field> Varying;
   const Field round = radial_field();
   Field inner = round, outer = round;
@@ -263,7 +263,7 @@ TEST_CASE("Certificate: a facet that is turned over is refuted and named")
 {
   Mesh mesh = sphere(2);
   const auto v = *mesh.vertices().begin();
-  // across the opposite edge of one of its facets, along the sphere
+  // Moves the vertex across the opposite edge of one of its facets, along the sphere.
   const auto h = mesh.halfedge(v);
   const Point_3 &q = mesh.point(mesh.source(h)), &r = mesh.point(mesh.target(mesh.next(h)));
   const Vector_3 over = CGAL::midpoint(q, r) + 0.5 * (CGAL::midpoint(q, r) - mesh.point(v)) - CGAL::ORIGIN;
@@ -313,7 +313,7 @@ TEST_CASE("Certificate: any count but one refutes, also if it is odd")
 
 TEST_CASE("Certificate: where there are critical points, the count along one path refutes nothing")
 {
-  // a dent in the field between the levels, away from the mesh
+  // The field has a dent between the thresholds, away from the mesh.
   Field field = radial_field();
   Eigen::VectorXd x = field.coefficients();
   x[field.functions().index(5, 5, 5)] -= 0.5;
@@ -338,7 +338,7 @@ TEST_CASE("Certificate: where there are critical points, the count along one pat
 TEST_CASE("Certificate: a critical point in the shell is refuted, one on its boundary is not overlooked, one beyond "
           "does no harm")
 {
-  // |x - c|^2, exactly; c is no corner of any box
+  // |x - c|^2, exactly; c is not a corner of any box
   const Point_3 c(0.31, -0.13, 0.17);
   Field field = cube_field(4, 1);
   set(field, [&](double x, double y, double z) {
@@ -348,7 +348,7 @@ TEST_CASE("Certificate: a critical point in the shell is refuted, one on its bou
   const double highest = 4.001, lowest = 3;
   REQUIRE(certify(field, lowest, highest, mesh));
   CHECK(certify(field, 0.01, highest, mesh).verdict(Claim::GRADIENT) == Verdict::PROVED);
-  const double lowest_value = field.value(c).value(); // zero but for rounding
+  const double lowest_value = field.value(c).value(); // zero up to rounding
   REQUIRE(std::abs(lowest_value) < 1e-14);
   for(double inner : { -0.5, lowest_value }) {
     CAPTURE(inner);
@@ -364,23 +364,24 @@ TEST_CASE("Certificate: a critical point in the shell is refuted, one on its bou
                 || std::abs(w.point[0] - c.x()) + std::abs(w.point[1] - c.y()) + std::abs(w.point[2] - c.z()) < 0.05;
     CHECK(named);
   }
-  // at a corner of cells no polynomial is that of a whole neighborhood: it is found, but not proved
+  // At a corner of cells, the field is not a polynomial in any neighborhood. The critical point is found, but not
+  // proved.
   CHECK(certify(quadratic_field(1, 1, 1), -0.5, highest, sphere(2, 2)).verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
 }
 
 TEST_CASE("Certificate: a critical point that is not in the shell refutes nothing, however near it is")
 {
-  // f = A(x) + ((y - 0.31)^2 + (z + 0.13)^2) / 10 with A'' = bend + |x| up to |x| = 1, and 1 + bend beyond: convex, so
-  // that it has no critical point but its minimum, at x = c. Across the box of the cover that holds it, A'' changes by
-  // a factor: Newton's method with the second derivatives in the middle of the box ends as far from it as is seen in
-  // the values.
+  // f = A(x) + ((y - 0.31)^2 + (z + 0.13)^2) / 10, with A'' = bend + |x| up to |x| = 1, and 1 + bend beyond. The
+  // function is convex, so its only critical point is its minimum, at x = c. Across the box of the cover that contains
+  // it, A'' changes by a factor. So Newton's method with the second derivatives at the middle of the box ends visibly
+  // far from the minimum.
   constexpr double c = 0.05 / 128, bend = 1.6e-4, slope = -(bend + c / 2) * c; // A'(0) = slope
   Field field = cube_field(4, 1);
   set(field, [=](double x, double y, double z) {
     return (1 + bend) / 2 * x * x - std::abs(x) / 2 + slope * x + (std::pow(y - 0.31, 2) + std::pow(z + 0.13, 2)) / 10
            - 1. / 15;
   });
-  const Rational least = exact_value(field, exact(Point_3(c, 0.31, -0.13))); // at most this
+  const Rational least = exact_value(field, exact(Point_3(c, 0.31, -0.13))); // the minimum is at most this
   const Mesh mesh = sphere(2, 1.5, Point_3(-0.3, 0.31, -0.13));
   for(int bit = 30; bit < 46; ++bit) {
     const double inner = CGAL::to_double(least) + std::ldexp(1., -bit);
@@ -390,7 +391,7 @@ TEST_CASE("Certificate: a critical point that is not in the shell refutes nothin
     REQUIRE(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
     CHECK(certificate.verdict(Claim::GRADIENT) != Verdict::REFUTED);
   }
-  // one that is in it does
+  // A critical point in the shell does refute the claim.
   CHECK(certify(field, CGAL::to_double(least) - 1e-3, 1.2, mesh).verdict(Claim::GRADIENT) == Verdict::REFUTED);
 }
 
@@ -414,19 +415,19 @@ TEST_CASE(
   REQUIRE(at_right < at_saddle - 0.05);
   const double inner = (at_left + at_right) / 2;
   const Mesh mesh = sphere(2, 0.3, left);
-  // A hair above the saddle, both wells are joined. A hair below it they are not, and that on the left has no critical
-  // point between the levels.
+  // Slightly above the saddle, both wells are joined. Slightly below it, they are separate, and the left one has no
+  // critical point between the thresholds.
   CHECK(certify(field, inner, at_saddle + 0.01, mesh).verdict(Claim::GRADIENT) == Verdict::REFUTED);
   const Certificate certificate = certify(field, inner, at_saddle - 1e-7, mesh);
   CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
   CHECK(certificate.verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
-  // the cover holds both
+  // The cover contains both.
   REQUIRE(certificate.cover()->component(right) == 0);
 }
 
 TEST_CASE("Certificate: a saddle off the lattice is proved to be one")
 {
-  // x^2 + y^2 - z^2 + linear terms, whose saddle is where no box has its corner
+  // x^2 + y^2 - z^2 plus linear terms; the saddle is not at a corner of any box
   Field field = cube_field(4, 1);
   set(field,
       [](double x, double y, double z) { return x * x + y * y - z * z - 1. / 3 - 0.62 * x + 0.26 * y + 0.34 * z; });
@@ -450,7 +451,7 @@ TEST_CASE("Certificate: a saddle off the lattice is proved to be one")
 
 TEST_CASE("Certificate: what reaches the end of the domain is not in its interior")
 {
-  const Field field = radial_field(); // up to 1.5 along the axes
+  const Field field = radial_field(); // the domain extends to 1.5 along the axes
   const Mesh mesh = sphere(2);
   CHECK(certify(field, 0.9, 1.45, mesh));
   const Certificate certificate = certify(field, 0.9, 1.55, mesh);
@@ -482,7 +483,7 @@ TEST_CASE("Certificate: a vertex that sticks out by 1e-12 is refuted, so is a me
     const Certificate elsewhere = certify(field, 0.8, 1.2, sphere(1, 1, center));
     CHECK(elsewhere.verdict(Claim::CONTAINMENT) == Verdict::REFUTED);
     CHECK_FALSE(elsewhere);
-    // outside is where the domain ends, 1.5 from the origin, and not before
+    // Points are reported as outside only beyond the end of the domain, 1.5 from the origin.
     int outside = 0, inside = 0;
     for(const Place& w : elsewhere.witnesses()) {
       if(w.claim != Claim::CONTAINMENT) continue;
@@ -503,7 +504,7 @@ TEST_CASE("Certificate: a vertex that sticks out by 1e-12 is refuted, so is a me
 
 TEST_CASE("Certificate: facets in faces of cells, and far from the origin")
 {
-  // a cube whose sides lie in lattice planes, in a field that is exactly |x|^2 far from any critical point
+  // The sides of a cube are in lattice planes. Far from any critical point, the field is exactly |x|^2.
   const Field field = quadratic_field(1, 1, 1);
   CHECK(certify(field, 0.9, 3.1, box(Point_3(-1, -1, -1), Point_3(1, 1, 1))));
 
@@ -518,7 +519,7 @@ TEST_CASE("Certificate: facets in faces of cells, and far from the origin")
 TEST_CASE("Certificate: a needle of width 1e-12 is decided by its exact normal")
 {
   Mesh mesh = sphere(2);
-  // split a facet at a point 1e-12 inside one of its edges, then lift nothing: two facets and a needle
+  // A facet is split at a point 1e-12 from one of its edges, into two facets and a needle.
   const auto f = *mesh.faces().begin();
   const auto h = mesh.halfedge(f);
   const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
@@ -528,8 +529,7 @@ TEST_CASE("Certificate: a needle of width 1e-12 is decided by its exact normal")
   mesh.point(center) = inside;
   const Field field = radial_field();
   const Certificate certificate = certify(field, 0.8, 1.2, mesh);
-  // Rounding has moved the point by 1e-16: the needle's normal may be anything. Whatever it is, the verdict follows the
-  // exact one.
+  // Rounding has moved the point by 1e-16, so the needle may have any normal. The verdict must follow the exact normal.
   for(auto face : mesh.faces()) {
     const auto g = mesh.halfedge(face);
     const Point_3 &a = mesh.point(mesh.source(g)), &b = mesh.point(mesh.target(g)),
@@ -570,7 +570,7 @@ TEST_CASE("Certificate: the same after scaling by a power of two, with any numbe
     CHECK(verdicts(rounded) == verdicts(reference));
     CHECK(rounded.least_gradient() == reference.least_gradient());
     CHECK(rounded.least_angle() == reference.least_angle());
-    // other threads have a mode of their own
+    // Other threads have their own rounding modes.
     REQUIRE(std::fesetround(mode) == 0);
     Certificate in_parallel(field, Constant(0.28), Constant(1.1));
     in_parallel.verify<CGAL::Parallel_if_available_tag>(mesh);
@@ -631,7 +631,7 @@ TEST_CASE("Certificate: a coefficient that is no number proves nothing, in the f
   REQUIRE(certified(field, constant_inner, constant_outer));
   const double not_a_number = std::numeric_limits<double>::quiet_NaN(),
                infinity = std::numeric_limits<double>::infinity();
-  // beside the mesh, but in the shell
+  // the bad coefficient is in the shell, but away from the mesh
   const std::vector<std::pair<BS::Lattice_3::Point, double> > cases = { { { 0, 0, 11 }, not_a_number },
                                                                         { { -10, 0, 5 }, infinity },
                                                                         { { 0, -5, 0 }, not_a_number } };
@@ -646,7 +646,7 @@ TEST_CASE("Certificate: a coefficient that is no number proves nothing, in the f
     CHECK(certificate.verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
     CHECK(certificate.least_gradient() == 0);
   }
-  // on the mesh: facets are undecided where the function acts, and only there
+  // On the mesh, exactly the facets in the support of the basis function are undecided.
   const BS::Lattice_3::Point p = { 0, 0, 8 };
   const Certificate certificate = certify(with(field, p, not_a_number), 0.85, 1.15, mesh);
   CHECK_FALSE(certificate);
@@ -695,17 +695,18 @@ TEST_CASE("Thresholds that vary: constant ones prove the same, steep ones nothin
   CHECK(certificate.displacement_bound()
         == Approx(certify(field, 0.85, 1.15, mesh).displacement_bound()).epsilon(0.05));
 
-  // narrow above, wide below, never as steep as the field
+  // The shell is thin above and thick below. Thresholds are never as steep as the field.
   const Field inner = threshold([](double, double, double z) { return 0.8 + 0.1 * z; }),
               outer = threshold([](double, double, double z) { return 1.2 - 0.1 * z; });
   CHECK(certify_between(inner, outer, mesh));
-  // a mesh that the narrow part does not hold
+  // The mesh does not fit into the thin part.
   const auto refuted = certify_between(inner, outer, sphere(2, 1.15));
   CHECK_FALSE(refuted);
   CHECK(refuted.verdict(Claim::CONTAINMENT) == Verdict::REFUTED);
 
-  // Falling as the field rises, so that the shell is where it is between constants: without a critical point, and
-  // inside the domain. A threshold that is less steep than the field is crossed; what is as steep might not be.
+  // The threshold falls as the field rises. So the shell is close to that of constant thresholds: it has no critical
+  // point, and is inside the domain. A threshold less steep than the field is proved to be crossed; a steeper one is
+  // not.
   const auto falling = [&](double level, double steepness) {
     return threshold(
       [=](double x, double y, double z) { return level - steepness * (std::sqrt(x * x + y * y + z * z) - level); });
@@ -727,7 +728,7 @@ TEST_CASE("Thresholds that vary: an overhang of either of them is not certified"
   typedef BS::Spline_threshold<Field> Varying;
   const Field field = radial_field();
   const Mesh mesh = sphere(2);
-  // a dent of the inner threshold, a bump of the outer one, beside the sphere
+  // The inner threshold has a dent, or the outer one has a bump, beside the sphere.
   const auto dented = [&](double level, const BS::Lattice_3::Point& p, double height) {
     Field values = field;
     set(values, [=](double, double, double) { return level; });
@@ -736,7 +737,7 @@ TEST_CASE("Thresholds that vary: an overhang of either of them is not certified"
     values.set_coefficients(x);
     return values;
   };
-  // the least of grad f . grad(f - threshold) where the field has the threshold's value, near that
+  // Returns the least value of grad f . grad(f - threshold) where the field is near the threshold, around a point.
   const auto least_crossing = [&](const Field& threshold, const Point_3& near) {
     double least = 1e9;
     const int parts = 60;
@@ -776,8 +777,8 @@ TEST_CASE("Thresholds that vary: an overhang of either of them is not certified"
 
 namespace {
 
-// whether a path crosses a mesh once, counted with signs, and that facet which it is said to go through; in no edge, to
-// either side
+// Returns whether a path crosses a mesh exactly once, counted with signs, and through the reported facet. Paths through
+// edges are rejected.
 bool crosses_once(const BS::Crossing_path& path, const BS::Input_mesh_3::Triangle_mesh& mesh)
 {
   const Point_3 p(path.source[0], path.source[1], path.source[2]), q(path.target[0], path.target[1], path.target[2]);
@@ -798,9 +799,8 @@ bool crosses_once(const BS::Crossing_path& path, const BS::Input_mesh_3::Triangl
   return count == 1 && crosses_facet;
 }
 
-// Whether a path is what the degree is proved by: it begins below the inner threshold, ends above the outer one, and
-// rises above both all the way, so that what is between the thresholds of it lies in one component; and it crosses the
-// mesh once.
+// Returns whether a path proves the degree. It must begin below the inner threshold, end above the outer one, and cross
+// the mesh once. It must rise above both thresholds all the way, so that its part between them is in one component.
 template <typename Inner, typename Outer>
 bool proves_degree(const BS::Crossing_path& path, const Field& field, const Inner& inner, const Outer& outer,
                    const BS::Input_mesh_3::Triangle_mesh& mesh)
@@ -867,7 +867,7 @@ TEST_CASE("Certificate: the paths that the degree is proved by begin and end bey
 TEST_CASE("Certificate: paths go through their facets, also where these are so narrow that rounding moves a path into "
           "the next one")
 {
-  constexpr double spacing = 0x1p-20, unit = 0x1p-32; // a cell, and one in the last place of coordinates
+  constexpr double spacing = 0x1p-20, unit = 0x1p-32; // width of a cell; one unit in the last place of coordinates
   const BS::Lattice_3 lattice = BS::Lattice_3::from_origin({ 0x1p20, 0x1p20, 0x1p20 }, spacing, { -1, -1, -1 },
                                                            { 1, 1, 1 });
   std::vector<std::uint64_t> keys;
@@ -879,7 +879,8 @@ TEST_CASE("Certificate: paths go through their facets, also where these are so n
   for(const auto& [sides, radius] :
       std::vector<std::pair<int, int> >{ { 20, 6 }, { 24, 6 }, { 24, 8 }, { 24, 10 }, { 28, 8 }, { 28, 10 } }) {
     CAPTURE(sides, radius);
-    // a prism about the middle of a cell, and f = (x^2 + y^2) / radius^2 + z^2 / length^2 from there, in units
+    // A prism about the middle of a cell. Relative to the middle, in units, f = (x^2 + y^2) / radius^2 + z^2 /
+    // length^2.
     constexpr double length = 500;
     const double scale[] = { spacing / unit / radius, spacing / unit / radius, spacing / unit / length };
     set(field, [&](double x, double y, double z) {
@@ -952,7 +953,7 @@ TEST_CASE("Thresholds that vary: a box is said to be between them only if it is"
   CHECK(fixed_boxes[1] > 100);
 }
 
-// a field that fails after some cells were asked for, as any field or allocation may
+// A field that fails after some calls of `cell()`, as any field or allocation may.
 struct Failing_field : Field
 {
   explicit Failing_field(const Field& field) : Field(field) {}
@@ -1042,8 +1043,8 @@ TEST_CASE("Cover: a box is not monotone where a threshold is steeper than the fi
   typedef BS::Spline_threshold<Field> Varying;
   const auto check = [](int axes, double s) {
     CAPTURE(axes, s);
-    // f = s u^2 with u = x, x + y, or x + y + z, and a threshold that has its value at u = 4.05 with the slope 8.3 s
-    // instead of 8.1 s
+    // f = s u^2 with u = x, x + y, or x + y + z. The outer threshold equals f at u = 4.05, but has the slope 8.3 s
+    // instead of 8.1 s.
     const auto u = [&](double x, double y, double z) { return x + (axes > 1 ? y : 0) + (axes > 2 ? z : 0); };
     Field field = cube_field(5, 1), inner = field, outer = field;
     set(field, [&](double x, double y, double z) { return s * (std::pow(u(x, y, z), 2) - axes / 3.); });
@@ -1064,7 +1065,7 @@ TEST_CASE("Cover: a box is not monotone where a threshold is steeper than the fi
     CHECK(undecided == boxes);
   };
   for(double s : { 1., 1e-150, 1.8e-163, 1.84e-163, 1.9e-163, 1e-200, 1e-290 }) check(1, s);
-  // of several axes, where each product of slopes is rounded by itself
+  // With several axes, each product of slopes is rounded separately.
   for(int axes : { 2, 3 })
     for(double s : { 1.8e-163, 3e-163, 1e-162 }) check(axes, s);
 }
@@ -1127,7 +1128,7 @@ Field scaled(Field field, int exponent)
   return field;
 }
 
-// Compares a certificate with that of the same mesh, where the field and the thresholds are 2^exponent times as large.
+// Compares a certificate with the one for the same mesh and an unscaled field and thresholds. The scale is 2^exponent.
 template <typename Any_certificate>
 void check_is_scaled(const Any_certificate& certificate, const Any_certificate& reference, int exponent)
 {
@@ -1152,7 +1153,7 @@ void check_is_scaled(const Any_certificate& certificate, const Any_certificate& 
 TEST_CASE("Certificate: scaling field and thresholds by a power of two changes no claim and no angle, and scales "
           "gradients exactly")
 {
-  // a sphere that is proved, a double cover that is refuted, a shell with a critical point in it, and one with critical
+  // a sphere that is proved; a double cover that is refuted; a shell with a critical point; a shell with critical
   // points beyond a threshold
   struct Case
   {

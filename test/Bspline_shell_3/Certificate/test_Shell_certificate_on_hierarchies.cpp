@@ -1,5 +1,5 @@
-// Field_predicates_3.h, Shell_cover_3.h, Shell_certificate_3.h on cells of different sizes: what holds on equal cells
-// holds here. What is taken over from a shell whose cover is known.
+// Field_predicates_3.h, Shell_cover_3.h, Shell_certificate_3.h on cells of different sizes: results are as on equal
+// cells. Results that are reused from a shell with a known cover.
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
@@ -34,7 +34,7 @@ using BS::Verdict;
 
 const double inf = std::numeric_limits<double>::infinity();
 
-// all root cells of a cube about the origin
+// Returns all root cells of a cube about the origin.
 Root_cells cube(int half_cells, double spacing)
 {
   const double h = half_cells * spacing;
@@ -49,7 +49,7 @@ Hierarchy refined_at(Hierarchy cells, const Point_3& p, int times)
   return cells;
 }
 
-// sets each free coefficient from a function of the point that it is centered at, and of its level
+// Sets each free coefficient by a function of its level, and of the point at which its basis function is centered.
 template <typename Function>
 void set(Field& field, const Function& f)
 {
@@ -65,7 +65,7 @@ void set(Field& field, const Function& f)
   field.set_coefficients(x);
 }
 
-// leaves of five sizes: cells of width one, halved four times at one place
+// Returns a field on leaves of five sizes: cells of width one, halved four times at one place.
 Field deep_field()
 {
   const Field field(refined_at(Hierarchy(cube(4, 1)), Point_3(-2.3, -2.1, 0.4), 4));
@@ -73,7 +73,7 @@ Field deep_field()
   return field;
 }
 
-// about |x|; smaller leaves at three places of the unit sphere
+// Returns a field close to |x|, with smaller leaves at two places of the sphere of radius `scale`.
 Field radial_field(double scale = 1)
 {
   Hierarchy cells(cube(6, scale / 4));
@@ -85,7 +85,7 @@ Field radial_field(double scale = 1)
   return field;
 }
 
-// the field at an exact point, by a leaf that holds it
+// Evaluates the field at exact points, on a leaf that contains the point.
 class Exact_values
 {
 public:
@@ -143,7 +143,7 @@ std::vector<Verdict> verdicts(const Certificate& certificate)
 
 const std::vector<Verdict> all_proved(5, Verdict::PROVED);
 
-// two balls, about the points (-0.75, 0, 0) and (0.75, 0, 0): about the distance to the nearer one
+// Returns a field close to the distance from the nearer of two points, (-0.75, 0, 0) and (0.75, 0, 0).
 Field two_balls()
 {
   Field field(refined_at(Hierarchy(cube(8, 0.1875)), Point_3(0.75, 0, 0.45), 1));
@@ -171,8 +171,8 @@ Mesh right(double radius = 0.45)
 }
 constexpr double inner_level = 0.36, outer_level = 0.52;
 
-// With the cover of a certificate, and a bound of the gradient that is known again. It is not certified, so that it
-// asks nothing of the components of a mesh.
+// Returns a shell with the cover of a certificate, and with a distinctive gradient bound. The shell is not certified,
+// so it imposes no conditions on the components of a mesh.
 Shell shell_with_cover(const Field& field, const Certificate& certificate, double gradient)
 {
   BS::Shell_report report;
@@ -186,7 +186,7 @@ Shell shell_with_cover(const Field& field, const Certificate& certificate, doubl
   return shell;
 }
 
-// all but the time, and the cells that were looked at
+// Compares everything but the time and the number of examined cells.
 void check_equal(const Certificate& certificate, const Certificate& reference)
 {
   CHECK(verdicts(certificate) == verdicts(reference));
@@ -263,7 +263,7 @@ TEST_CASE("Predicates on leaves of different size: answers agree with exact valu
     set(field, [&](double, double, double, int) { return random.get_double(-1, 1); });
     Exact_values values(field);
     for(int n = 0; n < 9; ++n) {
-      // from where the leaves are smallest to the other end, or there only
+      // from the smallest leaves to the other end, or only among the smallest leaves
       const auto point = [&](double reach, const Point_3& center) {
         return center
                + Vector_3(random.get_double(-reach, reach), random.get_double(-reach, reach),
@@ -273,7 +273,7 @@ TEST_CASE("Predicates on leaves of different size: answers agree with exact valu
       Triangle t = { point(0.1, deep), point(n % 3 == 0 ? 3.9 : 0.4, n % 3 == 0 ? Point_3(0, 0, 0) : deep),
                      point(n % 3 == 1 ? 0.3 : 3.9, n % 3 == 1 ? deep : Point_3(0, 0, 0)) };
       if(n % 4 == 3)
-        for(Point_3& p : t) p = Point_3(p.x(), p.y(), 0.5); // in a plane between leaves of many sizes
+        for(Point_3& p : t) p = Point_3(p.x(), p.y(), 0.5); // in a plane between leaves of different sizes
       Rational least(1000), most(-1000);
       constexpr int parts = 8;
       for(int i = 0; i <= parts; ++i)
@@ -315,18 +315,18 @@ TEST_CASE("Predicates on leaves of different size: slopes are those of the leaf,
   set(field, [](double x, double y, double z, int) { return 0.5 * x - y + 2 * z; });
   const Predicates predicates(field);
   const double length = std::sqrt(0.25 + 1 + 4);
-  // across the gradient, through leaves of all sizes
+  // The facet is orthogonal to the gradient, and crosses leaves of all sizes.
   const Vector_3 u(2, 1, 0), v(0, 2, 1);
   const Point_3 p(-2.3, -2.1, 0.4), q = p + 2. * u, r = p + 2. * v - 0.3 * u;
-  double slope = 10; // the best bound
+  double slope = 10; // lower bound of the slope
   CHECK(predicates.crosses_upwards({ p, q, r }, nullptr, nullptr, &slope) == Verdict::PROVED);
   CHECK(slope <= length);
-  CHECK(slope > length * (1 - 2e-9)); // the radius of small leaves, by their width
+  CHECK(slope > length * (1 - 2e-9)); // the error radius of small leaves is divided by their width
   BS::Witness witness;
   CHECK(predicates.crosses_upwards({ q, p, r }, &witness) == Verdict::REFUTED);
-  CHECK(witness.value.min >= -length * std::sqrt(3.)); // the normal's largest component is one
+  CHECK(witness.value.min >= -length * std::sqrt(3.)); // the largest component of the normal is one
   CHECK(witness.value.max <= -length * (1 - 1e-9));
-  // nearly along it, from either side
+  // nearly along the gradient, from either side
   const Vector_3 g(0.5, -1, 2), n = CGAL::cross_product(u, v);
   REQUIRE(n * g > 0);
   for(double tilt : { 1e-9, -1e-9 }) {
@@ -336,7 +336,7 @@ TEST_CASE("Predicates on leaves of different size: slopes are those of the leaf,
   }
   CHECK(predicates.increases({ p, p + g }) == Verdict::PROVED);
   CHECK(predicates.increases({ p + g, p }) == Verdict::REFUTED);
-  // the range of a linear function, as tightly as rounding allows
+  // The range of a linear function is as tight as rounding permits.
   const auto f = [](const Point_3& x) { return 0.5 * x.x() - x.y() + 2 * x.z(); };
   const double least = (std::min)({ f(p), f(q), f(r) }), most = (std::max)({ f(p), f(q), f(r) });
   CHECK(predicates.values_within(Triangle{ p, q, r }, { least - 1e-11, most + 1e-11 }) == Verdict::PROVED);
@@ -345,7 +345,7 @@ TEST_CASE("Predicates on leaves of different size: slopes are those of the leaf,
 
 TEST_CASE("Predicates on leaves of different size: a facet costs what it meets, not what there is")
 {
-  // a small facet far from the smallest leaves, and a large one through them
+  // One facet is small, and far from the smallest leaves; the other one is large, and crosses them.
   Field field = deep_field();
   set(field, [](double x, double y, double z, int) { return z + 0.01 * std::sin(3 * x) * std::sin(2 * y); });
   const Predicates predicates(field);
@@ -371,7 +371,7 @@ TEST_CASE("Certificate on leaves of different size: a sphere is certified, with 
   CHECK(certificate.witnesses().empty());
   CHECK(certificate.number_of_covers() == 1);
   REQUIRE(certificate.paths().size() == 1);
-  // boxes of all sizes were looked at
+  // The cover contains boxes of all sizes.
   std::array<std::size_t, 4> boxes = {};
   for(const BS::Cover_box& box : certificate.cover()->boxes()) ++boxes[std::size_t(field.cells().level(box.cell))];
   for(std::size_t n : boxes) CHECK(n > 0);
@@ -409,7 +409,7 @@ TEST_CASE("Certificate on leaves of different size: what is wrong is refuted, or
     verdicts(certify(field, 0.85, 1.2, nested))
     == std::vector<Verdict>{ Verdict::PROVED, Verdict::PROVED, Verdict::PROVED, Verdict::REFUTED, Verdict::REFUTED });
 
-  // a vertex that sticks out, where leaves are smallest
+  // One vertex sticks out, where leaves are smallest.
   Mesh mesh = sphere(2);
   Mesh::Vertex_index v = *mesh.vertices().begin();
   for(auto w : mesh.vertices())
@@ -426,12 +426,12 @@ TEST_CASE("Certificate on leaves of different size: what is wrong is refuted, or
     if(w.claim == Claim::CONTAINMENT) CHECK(w.reason == Place::FACET);
   CHECK(certify(field, 0.85, 1.2, sphere(2, 1, Point_3(9, 0, 0))).witnesses().front().reason == Place::OUTSIDE);
 
-  // up to the end of the domain
+  // The shell reaches the end of the domain.
   const Certificate open = certify(field, 0.85, 1.6, sphere(2));
   CHECK(open.verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
   for(const Place& w : open.witnesses()) CHECK(w.reason == Place::END_OF_DOMAIN);
 
-  // a dent in the smallest leaves, outside of the mesh
+  // The field has a dent in the smallest leaves, outside the mesh.
   Field dented = field;
   Eigen::VectorXd x = field.coefficients();
   const int finest = field.number_of_levels() - 1;
@@ -491,7 +491,7 @@ TEST_CASE("Certificate on leaves of different size: nothing without exact corner
   CHECK(refused.status() == BS::Shell_status::GRID_TOO_FINE);
   for(int c = 0; c < 5; ++c) CHECK(refused.verdict(Claim(c)) == Verdict::UNDECIDED);
 
-  // thresholds that vary, on the same leaves
+  // The thresholds vary, on the same leaves.
   typedef BS::Spline_threshold<Field> Varying;
   const Field field = radial_field();
   Field inner = field, outer = field;
@@ -499,7 +499,7 @@ TEST_CASE("Certificate on leaves of different size: nothing without exact corner
   set(outer, [](double, double, double z, int) { return 1.2 - 0.02 * z; });
   BS::Shell_certificate_3<Field, Varying> certificate(field, Varying(inner), Varying(outer));
   CHECK(certificate.verify<CGAL::Sequential_tag>(sphere(2)));
-  // one coefficient of a large function, next to the mesh, that smaller leaves depend on
+  // One coefficient of a large basis function, next to the mesh, is NaN; smaller leaves depend on it.
   Eigen::VectorXd x = outer.coefficients();
   for(Index n = 0; n < field.number_of_coefficients(); ++n) {
     const Index point = field.point_of_coefficient(n);
@@ -522,10 +522,10 @@ TEST_CASE("Certificate with a cover that is known: as without it for other meshe
   const Certificate proved = certify(field, inner_level, outer_level, together(left(), right()));
   REQUIRE(verdicts(proved) == all_proved);
   REQUIRE(proved.number_of_covers() == 2);
-  const double gradient = 0.75 * proved.least_gradient(); // told from one that is found out
+  const double gradient = 0.75 * proved.least_gradient(); // differs from the bound that is computed
   const Shell shell = shell_with_cover(field, proved, gradient);
   Certificate certificate(shell);
-  // one after the other, by the same certificate; a mesh that is not in the shell among them
+  // One certificate verifies all meshes in turn; one of the meshes is not in the shell.
   for(const Mesh& mesh : { together(left(), right()), together(left(0.46), right(0.44)), left(), sphere(2), right(),
                            together(right(), left(0.46)) }) {
     const Certificate reference = certify(field, inner_level, outer_level, mesh);
@@ -546,7 +546,7 @@ TEST_CASE("Certificate with a cover that is known: as without it for other meshe
     REQUIRE(bounds.size() == without.size());
     for(std::size_t n = 0; n < bounds.size(); ++n) CHECK(bounds[n] >= without[n]);
   }
-  // with bounds that are shared
+  // with shared bounds
   const auto bounds = std::make_shared<const Certificate::Bounds>(shell.field(), shell.inner_threshold(),
                                                                   shell.outer_threshold());
   Certificate sharing(shell, bounds);
@@ -574,7 +574,7 @@ TEST_CASE("Certificate with a cover that is known: it is of use where components
     check_equal(by_all, reference);
     CHECK(by_all.least_gradient() == 0.75 * all.least_gradient());
   }
-  // on the other side, not at all or not alone
+  // the known cover is on the other side, or covers only one side
   for(const Mesh& mesh : { right(), together(left(), right()) }) {
     const Certificate reference = certify(field, inner_level, outer_level, mesh);
     by_part.verify<CGAL::Sequential_tag>(mesh);
@@ -584,7 +584,7 @@ TEST_CASE("Certificate with a cover that is known: it is of use where components
   }
   by_part.verify<CGAL::Sequential_tag>(left());
   CHECK(by_part.least_gradient() == 0.75 * of_left.least_gradient());
-  // the shell's report says nothing of the gradient
+  // The shell's report has no bound of the gradient.
   const Shell silent = shell_with_cover(field, all, 0);
   Certificate by_silent(silent);
   CHECK(by_silent.verify<CGAL::Sequential_tag>(left()));
@@ -593,7 +593,7 @@ TEST_CASE("Certificate with a cover that is known: it is of use where components
 
 TEST_CASE("Certificate: components of the mesh that share a component of the cover are told apart by paths")
 {
-  // the covers of both shells meet midway before the shells do
+  // As the thickness grows, the covers of both shells meet before the shells do.
   const Field field = two_balls();
   const Mesh both = together(left(), right());
   double outer = outer_level;
@@ -608,11 +608,11 @@ TEST_CASE("Certificate: components of the mesh that share a component of the cov
     CHECK(certificate.number_of_covers() == 1);
     CHECK(certificate.paths().size() == 2);
     CHECK(certificate.components() == std::vector<std::size_t>{ 0, 1 });
-    // one component too many, beside that of the path or in place of the other ball's: no count is one
+    // One component too many, beside the one on the path or in place of the other ball's: no count is one.
     CHECK(certify(field, inner_level, outer, together(left(), left(0.47))).verdict(Claim::ONE_SHEET)
           == Verdict::REFUTED);
     CHECK_FALSE(certify(field, inner_level, outer, together(both, left(0.47))).is_certified());
-    // facing the other way, it is not transversal, and nothing follows
+    // An inverted component is not transversal, so nothing else is proved.
     Mesh turned = together(left(), right());
     for(auto v : turned.vertices())
       if(turned.point(v).x() > 0)
@@ -629,7 +629,7 @@ TEST_CASE("Certificate: components of the mesh that share a component of the cov
 {
   const Field field = two_balls();
   const auto folded = [](Mesh mesh) {
-    // a vertex is moved past a neighbor, on the sphere
+    // A vertex is moved past a neighbor, on the sphere.
     Kernel::Vector_3 center(0, 0, 0);
     for(auto v : mesh.vertices()) center = center + (mesh.point(v) - CGAL::ORIGIN) / double(mesh.number_of_vertices());
     const auto h = *mesh.halfedges().begin();
@@ -660,7 +660,7 @@ TEST_CASE("Certificate: a field that has changed since the last mesh was examine
   Certificate certificate(field, Constant(0.85), Constant(1.2));
   const Mesh mesh = sphere(2);
   REQUIRE(certificate.verify<CGAL::Sequential_tag>(mesh));
-  // a bump in the smallest leaves, which no corner of a facet, and few middles of edges, know of
+  // A bump in the smallest leaves, away from the vertices of the mesh; few middles of edges are in its support.
   Eigen::VectorXd x = field.coefficients();
   const int finest = field.number_of_levels() - 1;
   int bumps = 0;

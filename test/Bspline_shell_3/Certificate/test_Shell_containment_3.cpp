@@ -1,4 +1,4 @@
-// Shell_containment_3.h: the call shapes of Polyhedral_envelope, with answers that are proofs.
+// Shell_containment_3.h: the call operators of Polyhedral_envelope, with rigorous results.
 #include "polynomial_fields.h"
 #include "test_meshes.h"
 
@@ -69,7 +69,7 @@ TEST_CASE("Containment: of segments, triangles, meshes and soups it holds at eve
   CHECK_FALSE(contains(points, triangles));
   for(auto e : mesh.edges()) CHECK(contains(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
 
-  // ends in the shell are not enough, nor are corners
+  // It is not enough that the ends or corners are in the shell.
   const auto v = *mesh.vertices().begin(), w = *(mesh.vertices().begin() + 5);
   const Point_3 &p = mesh.point(v), &q = mesh.point(w);
   REQUIRE(contains(p));
@@ -104,8 +104,8 @@ TEST_CASE("Containment: of segments, triangles, meshes and soups it holds at eve
 TEST_CASE("Containment: a segment that is contained has all its points contained, also next to another component in "
           "the same cells")
 {
-  // about 4 (|x| - 0.8) (0.95 - |x|): the shell is at the inner sphere, and its leaves hold parts of the component at
-  // the outer one, too
+  // The field is close to 4 (|x| - 0.8) (0.95 - |x|). The shell is at the inner sphere, but its leaves also contain
+  // parts of the component at the outer one.
   namespace BS = CGAL::Bspline_shells;
   typedef BS::Uniform_bspline_field_3<> Field;
   constexpr int half = 12;
@@ -150,7 +150,7 @@ TEST_CASE("Containment: a segment that is contained has all its points contained
       for(int b = 0; b < 50; ++b) {
         const double theta = 1.57 * a / 100, phi = 1.5 * b / 50;
         const Point_3 p = at(theta, phi), q = at(theta + 0.05, phi);
-        if(shell == &with_cover) CHECK_FALSE(contains(p)); // the component has no mesh
+        if(shell == &with_cover) CHECK_FALSE(contains(p)); // this component does not contain the mesh
         if(!contains(p, q)) continue;
         ++segments;
         CHECK(shell == &without_cover);
@@ -164,7 +164,7 @@ TEST_CASE("Containment: levels belong to the shell, exactly, for points, what is
 {
   namespace BS = CGAL::Bspline_shells;
   const auto without_cover = shell_of(uniform_field({ { 1, { 0, 0, 1 } } }), 0.25, 0.5);
-  // the field has no critical point
+  // The field has no critical point.
   auto report = without_cover.report();
   report.certificate.verdicts[std::size_t(BS::Claim::GRADIENT)] = BS::Verdict::PROVED;
   CGAL::Bspline_shell_3<Uniform_field> with_cover(without_cover.field(),

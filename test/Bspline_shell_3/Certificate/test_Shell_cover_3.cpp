@@ -1,4 +1,4 @@
-// Shell_cover_3.h: what is said of boxes holds at points of them, in exact arithmetic; floods are those of a search
+// Shell_cover_3.h: claims about boxes hold at points of the boxes, in exact arithmetic. Floods agree with a search
 // through all pairs of boxes, in integers.
 #include "exact_spline.h"
 #include "polynomial_fields.h"
@@ -43,7 +43,7 @@ using BS::Cover_box;
 constexpr std::uint32_t none = Cover_box::no_component;
 constexpr double pi = 3.141592653589793;
 
-// sets each free coefficient from a function of the point that it is centered at
+// Sets each free coefficient by a function of the point at which its basis function is centered.
 template <typename Function>
 Field with(Field field, const Function& f)
 {
@@ -60,7 +60,7 @@ Field with(Field field, const Function& f)
   return field;
 }
 
-// cells of width one, at random places of a cube of that many, some of them split
+// Returns a field on cells of width one, at random places of a cube of number^3 cells; some cells are split.
 Field random_cells(CGAL::Random& random, int number, double share, int levels)
 {
   const double h = number / 2.;
@@ -71,7 +71,7 @@ Field random_cells(CGAL::Random& random, int number, double share, int levels)
                                 levels));
 }
 
-// a closed box, in integers: the smallest cells are 2^7 units wide
+// A closed box, in integers; the smallest cells are 2^7 units wide.
 struct Integer_box
 {
   std::array<std::int64_t, 3> low, high;
@@ -100,7 +100,7 @@ public:
     return result;
   }
 
-  // calls visit(leaf) for the smallest cells that a box touches; `npos` for those outside of the domain
+  // Calls visit(leaf) for the smallest cells that a box touches, and visit(npos) for places outside the domain.
   template <typename Visitor>
   void visit_around(const Integer_box& b, const Visitor& visit) const
   {
@@ -120,7 +120,7 @@ private:
   Smallest_cells m_smallest;
 };
 
-// the boxes that a flood from a point has to reach, by a search through all pairs
+// Returns the boxes that a flood from a point must reach, by a search through all pairs.
 template <typename AnyCover>
 std::vector<char> flooded(const AnyCover& cover, const std::vector<Integer_box>& box, const Point_3& p)
 {
@@ -142,7 +142,7 @@ std::vector<char> flooded(const AnyCover& cover, const std::vector<Integer_box>&
   return reached;
 }
 
-// the least of a field, and of its slope along a direction, both exact
+// The exact Bernstein form of a field on a box of a cover, and exact gradients at its corners.
 struct Exact_box
 {
   Exact_box(const Field& field, const Cover_box& box)
@@ -155,7 +155,7 @@ struct Exact_box
     for(int a = 0; a < 3; ++a) t[a] = Rational(int(box.position[a]) + (n >> a & 1)) / (1 << box.depth);
     return t;
   }
-  // at the n-th of its corners, per user unit
+  // Returns the gradient at the n-th corner of the box, per user unit.
   Exact_point gradient(int n) const
   {
     Exact_point g;
@@ -177,8 +177,8 @@ Rational dot(const Exact_point& u, const Exact_point& v)
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
-// whether some of 27 points of a box are in the shell and at the end of the domain: next to them, in one of the
-// directions out of the box, there is no cell
+// Returns whether one of 27 points of a box is in the shell and at the end of the domain: in some direction out of the
+// box, there is no cell next to the point.
 template <typename IsInShell>
 bool is_in_shell_at_end(const Field& field, const CGAL::Bbox_3& b, const IsInShell& is_in_shell)
 {
@@ -211,7 +211,7 @@ TEST_CASE("Covers: floods are those of a search through all pairs of boxes, on c
     const bool is_split = seed % 3 == 0, is_ball = seed % 4 == 0;
     const Field cells = random_cells(random, is_split ? 3 : 4, is_split || is_ball ? 1 : 0.55, is_split ? 2 : 1);
     const double x0 = random.get_double(-1, 1), y0 = random.get_double(-1, 1), bend = seed % 2 ? 0.15 : 0.6;
-    // level sets are bent planes, or balls around a critical point that is not at the corner of a cell
+    // Level sets are bent planes, or spheres around a critical point that is not at the corner of a cell.
     const Field field = with(cells, [&](double x, double y, double z) {
       return is_ball ? (x - 0.2) * (x - 0.2) + (y - 0.3) * (y - 0.3) + (z - 0.1) * (z - 0.1)
                      : z + bend * std::sin(1.5 * (x - x0)) * std::cos(1.5 * (y - y0));
@@ -219,7 +219,8 @@ TEST_CASE("Covers: floods are those of a search through all pairs of boxes, on c
     const double level = is_ball ? 1 : random.get_double(-0.5, 0.5), half = is_ball ? 1.05 : seed % 2 ? 0.03 : 0.2;
     Cover cover(field, Constant(level - half), Constant(level + half));
     const Boxes in_units(field);
-    // from points in the shell, one component after the other; some are corners of cells, also at the end of the domain
+    // Components are flooded one after the other, from points in the shell. Some points are corners of cells, also at
+    // the end of the domain.
     std::vector<Point_3> seeds;
     std::vector<std::uint32_t> numbers;
     for(int n = 0; n < 800 && seeds.size() < 8; ++n) {
@@ -252,7 +253,8 @@ TEST_CASE("Covers: floods are those of a search through all pairs of boxes, on c
         ++joined;
       } else ++apart;
     }
-    // all around a component is known; it is at the end of the domain where it has a point in the shell there
+    // All cells around a component are subdivided. A box with a point of the shell at the end of the domain is reported
+    // as being at the end.
     std::vector<char> is_subdivided(field.number_of_cells(), 0), is_at_end(box.size(), 0);
     for(const Cover_box& b : cover.boxes()) is_subdivided[b.cell] = 1;
     for(auto b : cover.at_end()) is_at_end[b] = 1;
@@ -279,7 +281,7 @@ TEST_CASE("Covers: floods are those of a search through all pairs of boxes, on c
     CHECK(failures == 0);
     CHECK(cover.number_of_undecided_boxes() == number_of_undecided);
     undecided += number_of_undecided;
-    // the boxes of a cell fill it, without overlap
+    // The boxes of a cell fill it, and do not overlap.
     std::map<std::uint32_t, double> filled;
     for(const Cover_box& b : cover.boxes()) filled[b.cell] += std::ldexp(1., -3 * b.depth);
     CHECK(filled.size() == cover.number_of_cells());
@@ -320,7 +322,7 @@ TEST_CASE(
     std::size_t failures = 0;
     for(std::size_t n = 0; n < cover.boxes().size(); ++n) {
       if(cover.boxes()[n].component == none) continue;
-      bool is_below = false, is_above = false; // at some point that is looked at
+      bool is_below = false, is_above = false; // at some examined point
       const bool is_in_shell = is_in_shell_at_end(field, cover.bbox(cover.boxes()[n]), [&](const Point_3& p) {
         const double f = field.value(p).value();
         is_below = is_below || f < inner.value(p).value();
@@ -346,14 +348,14 @@ TEST_CASE("Covers: what is said of boxes holds at points of them, between levels
     CGAL::Random random(seed);
     const Field cells = random_cells(random, 2, 1, seed % 3 == 0 ? 2 : 1);
     const auto noise = [&](double size) { return random.get_double(-size, size); };
-    // of about the steepness of the field, along diagonals, too; only one of them in some cases, opposite ones in
-    // others
+    // Thresholds are about as steep as the field, in some cases along diagonals. In some cases, only one of them has
+    // this slope.
     const double steepness = random.get_double(0.2, 1.2), bumps = seed % 2 ? 0.3 : 0.03,
                  u = random.get_double(0, 2 * pi);
     const auto slope = [&](double x, double y, double z) {
       return steepness * (seed % 4 < 2 ? (x + y + z) / std::sqrt(3.) : std::cos(u) * x + std::sin(u) * y);
     };
-    // and with critical points, below or above
+    // In some cases, the field has critical points, below or above the shell.
     const Field field = with(cells,
                              [&](double x, double y, double z) {
                                return (seed < 13 ? z + 0.1 * x * y : (seed % 2 ? 1 : -1) * (z * z + 0.3 * x * x - 0.6))
@@ -379,7 +381,7 @@ TEST_CASE("Covers: what is said of boxes holds at points of them, between levels
         if(box.kind == Box_kind::UNDECIDED) continue;
         const CGAL::Bbox_3 b = cover.bbox(box);
         bool all_between = true, rises = true, is_excluded = true, is_beyond = true;
-        std::array<std::array<bool, 2>, 2> side = {}; // of each threshold
+        std::array<std::array<bool, 2>, 2> side = {}; // by threshold
         std::array<bool, 2> crosses = { true, true };
         const std::array<double, 3>& d = box.proof;
         const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
@@ -481,7 +483,7 @@ TEST_CASE("Covers: where a field hardly varies, boxes that are said to be monoto
 
 TEST_CASE("Covers: a box at which the field does not rise is not monotone, even if rounded coefficients rise")
 {
-  // k ulp(b) |x| above b: by symmetry, the spline's derivative vanishes where x = 0
+  // The coefficients are b + k ulp |x|. By symmetry, the derivative of the spline is zero at x = 0.
   CGAL::Random random(21);
   for(int n = 0; n < 40; ++n) {
     const double b = random.get_double(1, 2), step = 10 * (n + 1) * std::numeric_limits<double>::epsilon();
@@ -504,7 +506,7 @@ TEST_CASE("Covers: a box at which the field does not rise is not monotone, even 
 
 namespace {
 
-// 64 cells of width one around the cube [0, 1]^3
+// Returns a field on 64 cells of width one around the cube [0, 1]^3.
 Field cells_around_unit_cube()
 {
   CGAL::Random random(35);
@@ -512,7 +514,7 @@ Field cells_around_unit_cube()
   return Field(Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, first, last), first, last)));
 }
 
-// sign |x - m|^2 with the middle m of the unit cube
+// Returns sign |x - m|^2, where m is the middle of the unit cube.
 Field squared_distance_field(double sign)
 {
   Field field = cells_around_unit_cube();
@@ -552,7 +554,7 @@ TEST_CASE("Covers: a box around a critical point beyond a threshold need not be 
       CHECK(cover.critical_values(box).max == Approx(0).margin(1e-10));
     }
     CHECK(boxes == 1);
-    // in the shell the gradient is least at the sphere of radius sqrt(0.02)
+    // In the shell, the gradient is least on the sphere of radius sqrt(0.02).
     const double truth = 2 * std::sqrt(0.02), bound = cover.least_gradient<Tag>();
     CHECK(bound <= truth);
     CHECK(bound > 0.5 * truth);
@@ -582,8 +584,8 @@ TEST_CASE("Covers: a critical point in the shell keeps its box undecided, by how
 
 TEST_CASE("Covers: where critical points are beyond a threshold, it must be less steep than the field")
 {
-  // the inner threshold 0.02 + s (x - 1/2): on it the field's slope is 0.28 or more where x > 1/2, and 2 |x - m|
-  // elsewhere
+  // The inner threshold is 0.02 + s (x - 1/2). Where the field equals it, the slope of the field is 2 |x - m|: at least
+  // 0.28 for x > 1/2, and less for x < 1/2.
   const Field field = squared_distance_field(1);
   const std::uint32_t cell = field.cells().locate(Point_3(0.5, 0.5, 0.5));
   for(double s : { 0., 0.01, 0.1, 0.3, 1. }) {
@@ -598,8 +600,8 @@ TEST_CASE("Covers: where critical points are beyond a threshold, it must be less
       critical += box.kind == Box_kind::CRITICAL_BELOW;
       undecided += box.kind == Box_kind::UNDECIDED;
     }
-    // |x - m|^2 = 0.02 + s (x - 1/2) is a sphere, and the threshold as steep as the field somewhere on it, if s >= 2
-    // sqrt(l) where l is least
+    // |x - m|^2 = 0.02 + s (x - 1/2) is a sphere, where |x - m|^2 is at least `least`. If s >= 2 sqrt(least), then the
+    // threshold is as steep as the field at a point of the sphere.
     const double radius = std::sqrt(0.02 + s * s / 4), least = 0.02 + s * (s / 2 - radius);
     CHECK((undecided > 0) == (s >= 2 * std::sqrt(least)));
     if(s < 0.1) CHECK(critical > 0);
@@ -609,7 +611,7 @@ TEST_CASE("Covers: where critical points are beyond a threshold, it must be less
 
 TEST_CASE("Covers: a wall thinner than a cell, in any direction, takes few boxes")
 {
-  // (n . (x - m))^2 - t^2 between levels that are near zero for the wall
+  // (n . (x - m))^2 - t^2; the thresholds are close to zero compared with the wall
   CGAL::Random random(37);
   for(int k = 0; k < 20; ++k) {
     std::array<double, 3> n = { random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(0.2, 1) };
@@ -639,7 +641,8 @@ TEST_CASE("Covers: a wall thinner than a cell, in any direction, takes few boxes
 
 TEST_CASE("Covers: a box at which a threshold is steeper than the field is not monotone, however small both are")
 {
-  // f = s x and eps2 = 0.93 s (x + y + z): its gradient is 1.6 times as long, but the squares of its components vanish
+  // f = s x and eps2 = 0.93 s (x + y + z). The threshold's gradient is 1.6 times as long as the field's, but for the
+  // small s, the squares of its components underflow.
   CGAL::Random random(29);
   const Field cells = random_cells(random, 4, 1, 1);
   for(double s : { 1., 1.62e-162 }) {
@@ -653,7 +656,7 @@ TEST_CASE("Covers: a box at which a threshold is steeper than the field is not m
     std::size_t steep = 0, failures = 0;
     for(const Cover_box& box : cover.boxes()) {
       const CGAL::Bbox_3 b = cover.bbox(box);
-      // x - eps2 / s at the corners where it is least and greatest
+      // bounds of x - eps2 / s on the box
       const double least = 0.07 * b.xmin() - 0.93 * (b.ymax() + b.zmax()),
                    greatest = 0.07 * b.xmax() - 0.93 * (b.ymin() + b.zmin());
       if(!(least < -1e-6 && greatest > 1e-6)) continue;
@@ -695,7 +698,7 @@ TEST_CASE("Covers: nothing is said of a box on which a threshold is no number")
 
 TEST_CASE("Covers: what is taken over of another cover are its components, in another order, or some of them")
 {
-  // level sets are planes: three components, each of many cells
+  // Level sets are nearly planes: there are three components, each of many cells.
   CGAL::Random random(25);
   const Field field = with(random_cells(random, 6, 1, 2),
                            [](double x, double y, double z) { return std::sin(1.5 * (x - 0.3)) + 0.005 * y * z; });
@@ -710,11 +713,11 @@ TEST_CASE("Covers: what is taken over of another cover are its components, in an
     }
   }
   REQUIRE(seeds.size() >= 3);
-  // points of the shell, and others
+  // points of the shell, and other points
   std::vector<Point_3> points = seeds;
   for(int n = 0; n < 500; ++n)
     points.emplace_back(random.get_double(-3, 3), random.get_double(-3, 3), random.get_double(-3, 3));
-  // corners of boxes and cells, which others touch
+  // corners of boxes and cells, which adjacent boxes touch
   for(int n = 0; n < 500; ++n) {
     const Cover_box& box = cover.boxes()[std::size_t(random.get_int(0, int(cover.boxes().size())))];
     const CGAL::Bbox_3 b = n % 4 < 2
@@ -801,8 +804,8 @@ TEST_CASE("Covers: what another cover found out is taken over where nothing has 
 
 TEST_CASE("Covers: bounds of the gradient are those of its least length, wherever in a box that is")
 {
-  // d x + x^3/3 + x y^2 + x z^2, mirrored: the gradient is shortest at one corner of the domain, and far longer nearby;
-  // for the smaller d also within the box of the cover there
+  // d x + x^3/3 + x y^2 + x z^2, mirrored. The gradient is shortest at one corner of the domain, and much longer
+  // nearby; for the smaller d, even within the box of the cover there.
   for(double shortest : { 0.05, 0.001 })
     for(int corner = 0; corner < 8; ++corner) {
       CAPTURE(corner, shortest);
@@ -840,7 +843,7 @@ TEST_CASE("Covers: bounds of the gradient are those of its least length, whereve
 
 TEST_CASE("Covers: bounds of a gradient beyond the largest double are numbers below it")
 {
-  // f = 1e300 x / w on cells of width w = 2^-100: its slope is 1.3e330
+  // f = 1e300 x / w on cells of width w = 2^-100; the slope is 1.3e330
   const double width = std::ldexp(1., -100);
   const BS::Lattice_3::Point first = { 0, 0, 0 }, last = { 3, 3, 3 };
   CGAL::Random random(31);
@@ -856,7 +859,7 @@ TEST_CASE("Covers: bounds of a gradient beyond the largest double are numbers be
 
 namespace {
 
-// a field whose Bernstein coefficients are exact
+// A field with exact Bernstein coefficients.
 struct Exact_field : Field
 {
   explicit Exact_field(const Field& field) : Field(field) {}
@@ -972,7 +975,7 @@ TEST_CASE("Covers: of a field that is scaled by a power of two, boxes and what p
 
 TEST_CASE("Covers: a field is said to be steeper than a threshold only if all functions within its radius are")
 {
-  // x + y + z: its slope is sqrt(3), and 0.7 sqrt(3) = 1.21 for one of the functions
+  // The slope of x + y + z is sqrt(3). Within the radius, a function has the slope 0.7 sqrt(3) = 1.21.
   BS::Enclosed_tricubic f;
   for(int n = 0; n < 64; ++n) f.coefficients[std::size_t(n)] = (n % 4 + n / 4 % 4 + n / 16) / 3.;
   f.radius = 0.05;

@@ -1,5 +1,5 @@
-// Shell_facet_oracle_3.h: what only the inside of facets shows is rejected; what is remembered is of the same facets.
-// (What oracles say in edits: test_Shell_filter.cpp.)
+// Shell_facet_oracle_3.h: facets that fail only in their inside are rejected, and cached results apply to the same
+// facets only. (Oracles in edits: test_Shell_filter.cpp.)
 #include "polynomial_fields.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
@@ -24,7 +24,7 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
 
 constexpr double pi = 3.141592653589793;
 
-// points of the sphere of radius 0.8, 60 degrees from its north pole, at the given longitudes
+// Returns points of the sphere of radius 0.8, 60 degrees from its north pole, at the given longitudes.
 std::vector<Point_3> band(std::initializer_list<double> degrees)
 {
   std::vector<Point_3> link;
@@ -36,7 +36,7 @@ std::vector<Point_3> band(std::initializer_list<double> degrees)
 
 const Point_3 pole(0, 0, 0.8);
 
-// of the balls of radii 0.6 and 0.81
+// Returns the shell between spheres of radii 0.6 and 0.81.
 CGAL::Bspline_shell_3<Uniform_field> ball_shell()
 {
   return shell_of(uniform_field(squared_distance), 0.36, 0.6561);
@@ -73,11 +73,11 @@ TEST_CASE("Facet oracle: what is remembered of a facet or a link is of no use fo
   Oracle::Memory memory;
   const std::vector<Point_3> link = band({ 0, 60, 120, 180, 240, 300 });
   REQUIRE(oracle(pole, link, memory) == Placement_verdict::ACCEPTED);
-  // the corner at 120 degrees is that at 60 degrees but for one coordinate
+  // The corner at 120 degrees differs from the one at 60 degrees in one coordinate only.
   std::vector<Point_3> wide = band({ 0, 120, 180, 240, 300 });
   wide[1] = Point_3(-link[1].x(), link[1].y(), link[1].z());
   CHECK(oracle(pole, wide, memory) == Placement_verdict::LEAVES_SHELL);
-  // as many vertices, one of them elsewhere
+  // same number of vertices, one of them moved
   std::vector<Point_3> other = link;
   other[2] = Point_3(1.1 * other[2].x(), 1.1 * other[2].y(), 1.1 * other[2].z());
   REQUIRE(oracle(pole, link, memory) == Placement_verdict::ACCEPTED);
@@ -87,8 +87,8 @@ TEST_CASE("Facet oracle: what is remembered of a facet or a link is of no use fo
 TEST_CASE(
   "Facet oracle: a facet at a vertex that is turned where none of its corners and middles of edges are is rejected")
 {
-  // the slope of horizontal facets is 2 x^2 less a hair: bisections do not come near enough to zero to see that it
-  // turns
+  // The slope of horizontal facets is 2 x^2 - 1e-9. Bisections do not come close enough to zero to find the negative
+  // slope.
   const auto shell = shell_of(uniform_field({ { -1e-9, { 0, 0, 1 } }, { 2, { 2, 0, 1 } } }), -5, 5);
   const Oracle oracle(shell);
   Oracle::Memory memory;
@@ -109,7 +109,7 @@ TEST_CASE("Facet oracle: what is remembered of a rejected facet says nothing of 
   const auto at = [](double x, double y) { return Point_3(x, y, 0.1); };
   const Point_3 p = at(0.31, 0), a = at(0.83, -0.4), b = at(0.61, 0.6), c = at(-0.47, 0.4), d = at(-0.47, -0.4);
   const std::vector<Point_3> good = { a, b, at(0.08, 0.1), at(0.1, -0.3) };
-  // of the facets that are rejected, only the first one is remembered: (p, b, c), and (p, d, a)
+  // Only the first rejected facet is cached: (p, b, c) and (p, d, a).
   for(const std::vector<Point_3>& bad : { std::vector<Point_3>{ a, b, c, d }, std::vector<Point_3>{ d, a, b, c } }) {
     Oracle::Memory memory;
     for(int times = 0; times < 2; ++times) {
@@ -127,7 +127,7 @@ TEST_CASE("Facet oracle: what is remembered changes nothing of what is accepted"
     Oracle::Memory memory, short_memory(5);
     std::mt19937 random(1);
     const auto choose = [&](std::size_t n) { return random() % n; };
-    // fans at few places, of links that mostly differ in one vertex from the one before
+    // Fans have few apexes. Successive links usually differ in at most one vertex.
     std::vector<Point_3> places, link = band({ 0, 60, 120, 180, 240, 300 });
     for(double x : { 0., 0.1, 0.3, 0.5 })
       for(double z : { 0.62, 0.7, 0.8, 0.85 }) places.push_back(Point_3(x, 0, z));
@@ -156,7 +156,7 @@ TEST_CASE("Facet oracle: what is remembered changes nothing of what is accepted"
 
 TEST_CASE("Facet oracle: a facet at a vertex that leaves the shell by a hair, inside, is rejected")
 {
-  // -(x^2 + y^2) where z is 0.1
+  // -(x^2 + y^2) in the plane z = 0.1
   const Uniform_field field = uniform_field(
     { { -1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } }, { 1, { 0, 0, 1 } }, { -0.1, { 0, 0, 0 } } });
   const std::vector<Point_3> link = { Point_3(-0.21, -0.17, 0.1), Point_3(0.43, -0.13, 0.1), Point_3(0.37, 0.41, 0.1),
@@ -166,7 +166,7 @@ TEST_CASE("Facet oracle: a facet at a vertex that leaves the shell by a hair, in
     const auto shell = shell_of(field, -5, outer);
     Oracle::Memory memory;
     const Oracle oracle(shell);
-    for(int times = 0; times < 2; ++times) // the second time, by what is remembered
+    for(int times = 0; times < 2; ++times) // the second verdict comes from the cache
       CHECK((oracle(p, link, memory) == Placement_verdict::ACCEPTED) == (outer > 0));
   }
 }
@@ -233,7 +233,7 @@ TEST_CASE(
 
 TEST_CASE("Facet oracle: what is between the thresholds but in cells that are not the shell's is rejected")
 {
-  // the half with positive x of a layer
+  // The shell consists of the cells of a layer with positive x.
   const Uniform_field field = uniform_field({ { 1, { 0, 0, 1 } } });
   std::vector<char> cells(field.number_of_cells());
   for(Uniform_field::Cell_index c = 0; c < field.number_of_cells(); ++c) cells[c] = field.cell(c).corner()[0] >= 0;
@@ -255,8 +255,8 @@ TEST_CASE("Facet oracle: what is between the thresholds but in cells that are no
 
 TEST_CASE("Facet oracle: a facet that an estimate clears though it turns is rejected where all is proved")
 {
-  // the slope of horizontal facets is 0.01 + 2x (2x - 1/2) (2x - 1), the same at all corners and middles of edges, and
-  // negative between
+  // The slope of horizontal facets is 0.01 + 2x (2x - 1/2) (2x - 1). It is the same at all corners and middles of
+  // edges, and negative between some of them.
   const auto shell = shell_of(
     uniform_field({ { 0.01, { 0, 0, 1 } }, { 1, { 1, 0, 1 } }, { -6, { 2, 0, 1 } }, { 8, { 3, 0, 1 } } }), -5, 5);
   const double z = 0.1;

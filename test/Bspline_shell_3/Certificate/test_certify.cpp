@@ -1,4 +1,4 @@
-// certify.h: a shell that was read from a file is certified again, and nothing that the file says is trusted.
+// certify.h: a shell that was read from a file is certified again, and nothing in the file is trusted.
 #include <CGAL/Bspline_shell_3/Certificate/certify.h>
 #include "shell_files.h"
 
@@ -63,7 +63,7 @@ Varying_shell read_two_shells()
   return read_shell(written(two_shells(), Format::BINARY));
 }
 
-// the shell of the two spheres as it is read if `change` is made to the lines of the paths
+// Returns the shell of the two spheres, read from a file in which `change` has edited the lines of the paths.
 Varying_shell with_paths(const std::function<void(Lines& paths)>& change)
 {
   Lines lines = lines_of(written(two_shells(), Format::ASCII));
@@ -114,7 +114,7 @@ TEST_CASE("certify: a shell that was read from a file gets the certificate, the 
     CHECK(shell.proved_cover()->size() == two_shells().proved_cover()->size());
     CHECK(shell.shell_cells() == two_shells().shell_cells());
     CHECK(shell.cell_bounds());
-    // so does its file
+    // The file of the shell is also the same.
     CHECK(written(shell, format) == written(two_shells(), format));
   }
 }
@@ -160,7 +160,7 @@ TEST_CASE("certify: meshes in different components are not mapped with success, 
   CHECK(status(two_spheres(), far) == Flow_status::COMPONENTS_UNKNOWN);
   CHECK(status(near, other_near) == Flow_status::SUCCESS);
   CHECK(status(two_spheres(), two_spheres()) == Flow_status::SUCCESS);
-  // points are mapped all the same, and each has a status
+  // Points are mapped nevertheless, and each has a status.
   const Map unknown(shell, near, far), partly(shell, near, two_spheres());
   CHECK(unknown.maps_points());
   CHECK(unknown(Mesh::Vertex_index(0)).status == Flow_status::LEAVES_SHELL);
@@ -178,13 +178,13 @@ TEST_CASE("certify: paths of a file that do not lead through the shell are no re
   const auto check = [&](const std::function<void(Lines & paths)>& change) {
     Varying_shell shell = with_paths(change);
     CHECK(shell.component_paths().empty());
-    // the mesh defines the components
+    // The mesh defines the components.
     REQUIRE(BS::certify(shell, two_spheres()));
     CHECK(are_same_paths(shell.component_paths(), two_shells().component_paths()));
     CHECK_FALSE(Certificate(shell).verify(near_sphere()));
   };
   check([](Lines& paths) { paths.clear(); });
-  // turned round, too short, elsewhere, outside of the domain, without length
+  // The paths are reversed, shortened at either end, displaced, of length zero, or outside the domain.
   const auto replace = [](Lines& paths, const std::function<std::string(std::array<double, 6>)>& by) {
     for(Lines::value_type& line : paths) {
       std::size_t component;
@@ -223,7 +223,7 @@ TEST_CASE("certify: paths of a file that do not lead through the shell are no re
 TEST_CASE("certify: a file that gives two components one number, or leaves one out, certifies no map between them")
 {
   const auto check = [](Varying_shell shell) {
-    // one of both may be certified, but then the other one is not of the shell
+    // Either component can be certified, but then the other one is not part of the shell.
     REQUIRE(BS::certify(shell, near_sphere()));
     CHECK(shell.report().certificate.components == std::vector<std::size_t>{ 0 });
     CHECK(Certificate(shell).verify(near_sphere(1.01)));
@@ -261,7 +261,7 @@ TEST_CASE("certify: a shell of equal cells, and the certificate of a mesh that c
   CHECK(shell.is_certified());
   CHECK_FALSE(BS::certify(shell, turned));
   CHECK(shell.is_certified());
-  // no shell is not certified
+  // An empty shell is not certified.
   Shell none;
   CHECK(BS::certify(none, mesh).status() == BS::Shell_status::NOT_BUILT);
   CHECK_FALSE(none.is_certified());
@@ -318,7 +318,7 @@ TEST_CASE("certify: certificates between other thresholds, or of other fields, a
   CHECK(first.matches(certificate(shell.field(), 1.01 * inner, outer)) == Verdict::UNDECIDED);
   CHECK(first.matches(certificate(shell.field(), inner, 1.01 * outer)) == Verdict::UNDECIDED);
   CHECK(first.matches(certificate(copy.field(), inner, outer)) == Verdict::UNDECIDED);
-  // thresholds that vary
+  // varying thresholds
   const Varying_shell back = read_two_shells();
   CHECK(back.inner_threshold() == two_shells().inner_threshold());
   CHECK_FALSE(back.inner_threshold() == two_shells().outer_threshold());

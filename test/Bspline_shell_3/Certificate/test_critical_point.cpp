@@ -1,5 +1,4 @@
-// critical_point.h: a critical point that is proved is there; none is proved where the gradient only comes close to
-// zero.
+// critical_point.h: proved critical points exist, and none is proved where the gradient only comes close to zero.
 #include <CGAL/Bspline_shell_3/Certificate/critical_point.h>
 
 #include <catch2/catch.hpp>
@@ -55,7 +54,7 @@ TEST_CASE("critical points: that of a quadratic function is proved and lies in i
 TEST_CASE(
   "critical points: none is proved where second derivatives vanish within the box and the gradient only nearly does")
 {
-  // the derivative by x is (x - a)^2 + e > 0
+  // The derivative with respect to x is (x - a)^2 + e > 0.
   std::size_t proved = 0;
   for(double a : { 0.1, 0.25, 0.4, 0.6, 0.75, 0.9 })
     for(double e : { 1e-3, 1e-6, 1e-12 }) {
@@ -79,7 +78,8 @@ TEST_CASE("critical points: near a side, the box stays in the cell, beyond it, n
 
 TEST_CASE("critical points: none is proved where Newton's method is still on its way")
 {
-  // the derivative is c + m t + (1 - m) t^2 / 2 > 0; the steps towards its zero, beyond the side, are short
+  // The derivative c + m t + (1 - m) t^2 / 2 is positive. Its zero is beyond the side, and the steps towards it are
+  // short.
   constexpr double m = 0.02, c = 0.01 * m;
   const Cubic slow = { 0, c / 3, 2 * c / 3 + m / 6, c + m / 2 + (1 - m) / 6 };
   CHECK_FALSE(BS::prove_critical_point(sum(slow, square(0.5), square(0.5))));
@@ -89,7 +89,8 @@ TEST_CASE("critical points: none is proved where Newton's method is still on its
 
 TEST_CASE("critical points: none is proved where a function within the radius may have its own beyond the box")
 {
-  // slopes of functions within the radius differ by up to six times the radius, 0.03: so may zeros, 0.02 from the side
+  // Slopes of functions within the radius differ by up to six times the radius, 0.03. So do the zeros, which are only
+  // 0.02 from the side.
   BS::Enclosed_tricubic f = sum(square(0.02), square(0.5), square(0.5));
   f.radius = 0.005;
   CHECK_FALSE(BS::prove_critical_point(f));

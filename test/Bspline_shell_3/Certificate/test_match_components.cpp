@@ -1,5 +1,5 @@
-// match_components.h: certified meshes of a shell lie in the same components of it, or are told apart, by the
-// certificate, by containment and by the map.
+// match_components.h: certificates, containment and the map decide whether certified meshes of a shell lie in the same
+// components.
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
@@ -32,8 +32,8 @@ using BS::Verdict;
 
 constexpr double small_radius = 0.6, large_radius = 1;
 
-// about 4 (|x| - small) (large - |x|): increases through the small sphere and decreases through the large one, with a
-// ridge between
+// Returns a field close to 4 (|x| - small) (large - |x|). It increases across the small sphere and decreases across the
+// large one; there is a ridge between them.
 const Field& two_spheres()
 {
   static const Field field = [] {
@@ -73,7 +73,7 @@ Mesh both(const Mesh& first, const Mesh& second)
   return mesh;
 }
 
-// between two levels, with the certificate of a mesh
+// Returns the shell between two levels, with the certificate of a mesh.
 Shell shell_of(const Mesh& mesh)
 {
   const BS::Level_range levels{ -0.09, 0.09 };
@@ -97,7 +97,7 @@ bool has(const Certificate& certificate, Place::Reason reason, Verdict verdict)
                      [&](const Place& w) { return w.reason == reason && w.verdict == verdict; });
 }
 
-// how many vertices of a mesh have an image
+// Returns the number of facets whose test point has an image.
 template <typename Map>
 std::size_t number_of_images(const Map& map)
 {
@@ -123,7 +123,7 @@ TEST_CASE("Components: meshes with a certificate of a certified shell have those
   CHECK(certificate.verify(both(large_sphere(0.99), small_sphere(1.02))));
   CHECK(certificate.components() == std::vector<std::size_t>{ 1, 0 });
 
-  // each of them alone satisfies all that is asked of a mesh without a shell
+  // Each component alone satisfies all conditions for a mesh without a shell.
   for(const Mesh& one : { small_sphere(1.02), large_sphere(0.99) }) {
     Certificate alone(shell.field(), shell.inner_threshold(), shell.outer_threshold());
     CHECK(alone.verify(one));
@@ -131,7 +131,7 @@ TEST_CASE("Components: meshes with a certificate of a certified shell have those
     CHECK(certificate.verdict(Claim::ONE_SHEET) == Verdict::REFUTED);
     CHECK(has(certificate, Place::EMPTY_COMPONENT, Verdict::REFUTED));
   }
-  // two sheets in a component are both in it
+  // Two sheets in a component of the shell are both assigned to it.
   CHECK_FALSE(certificate.verify(both(both(small_sphere(), small_sphere(1.02)), large_sphere())));
   CHECK(certificate.components() == std::vector<std::size_t>{ 0, 0, 1 });
   CHECK_FALSE(has(certificate, Place::OTHER_COMPONENT, Verdict::REFUTED));
@@ -192,7 +192,7 @@ TEST_CASE("Components: the map between meshes in other components is refused")
       CHECK(image.status == BS::Flow_status::OTHER_COMPONENTS);
     CHECK_FALSE(std::string(message(refused.status())).empty());
   }
-  // what faces the other way, or has more parts elsewhere, is no reason
+  // Reversed orientation, or further parts outside the shell, do not change this.
   Mesh turned = mesh;
   CGAL::Polygon_mesh_processing::reverse_face_orientations(turned);
   CHECK(BS::Shell_map_3(shell, mesh, turned).status() == BS::Flow_status::SUCCESS);
@@ -220,10 +220,10 @@ TEST_CASE("Components: without a certificate of the shell, paths through both me
   CHECK(status(shell, small, large) == BS::Flow_status::COMPONENTS_UNKNOWN);
   CHECK(status(shell, mesh, small) == BS::Flow_status::COMPONENTS_UNKNOWN);
   CHECK(status(shell, large, mesh) == BS::Flow_status::COMPONENTS_UNKNOWN);
-  // a mesh that is not in the shell is in no component
+  // A mesh outside the shell is in no component.
   CHECK(status(shell, mesh, both(mesh, sphere(1, 0.1))) == BS::Flow_status::COMPONENTS_UNKNOWN);
   CHECK(status(shell, small, small_sphere(1.3)) == BS::Flow_status::COMPONENTS_UNKNOWN);
-  // points have images where there are any
+  // Points have images where the target has points.
   CHECK(number_of_images(BS::Shell_map_3(shell, mesh, small)) == small.number_of_faces());
   // Open meshes in a certified shell: half of a sphere is in the component of the sphere.
   Mesh half = small_sphere(1.01);
@@ -244,7 +244,7 @@ TEST_CASE("Components: a component all paths through which are degenerate is fou
   report.certificate.spare_paths.clear();
   for(BS::Crossing_path& path : report.certificate.paths)
     for(auto vertex : mesh.vertices()) {
-      // through a vertex of the component
+      // The path leads through a vertex of the component.
       const Point_3& v = mesh.point(vertex);
       if((CGAL::squared_distance(v, Point_3(0, 0, 0)) < 0.64) != (path.component == 0)) continue;
       path.source = { v.x(), v.y(), v.z() - 0.1 };
@@ -276,7 +276,7 @@ TEST_CASE("Components: containment tells which component of the shell a mesh lie
 
 TEST_CASE("Components: a path that meets an edge or a vertex of a mesh says nothing, others do")
 {
-  // a square pyramid over the plane z = 0, whose diagonal the first path meets
+  // A square pyramid over the plane z = 0. The first path meets the diagonal of its base.
   const std::vector<std::array<double, 3> > points = {
     { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.5, 0.5, -1 }
   };
@@ -302,7 +302,7 @@ TEST_CASE("Components: a path that meets an edge or a vertex of a mesh says noth
   CHECK(match({ beside }).verdict() == Verdict::REFUTED);
   CHECK(match({ beside }).crossings == std::vector<std::optional<int> >{ 0 });
   CHECK(match({ beside, on_vertex, inside }).verdict() == Verdict::PROVED);
-  // a count of one is preferred, in any order
+  // Paths with a count of one take precedence, in any order.
   for(const auto& paths :
       { std::vector<BS::Crossing_path>{ inside, beside }, { beside, inside }, { beside, inside, on_edge, beside } }) {
     CHECK(match(paths).verdict() == Verdict::PROVED);
@@ -316,7 +316,7 @@ TEST_CASE("Components: a path that meets an edge or a vertex of a mesh says noth
 
 TEST_CASE("Components: a mesh that a path crosses twice, or from the front to the back, does not match")
 {
-  // triangles of which each is a component, across the z-axis
+  // Each triangle is a component; all cross the z-axis.
   const auto match = [](const std::vector<double>& heights, const BS::Crossing_path& path) {
     return BS::match_components(
       { path }, heights.size(), heights.size(),

@@ -1,5 +1,5 @@
-// close_virtually.h: caps where they leave room, back sheets elsewhere; the closed mesh never intersects itself, and
-// what cannot be closed is refused.
+// close_virtually.h: holes get caps where these leave enough room, otherwise back sheets. The closed mesh never
+// intersects itself, and a mesh that cannot be closed is refused.
 #include <CGAL/Bspline_shell_3/Closing/close_virtually.h>
 #include "test_meshes.h"
 
@@ -31,7 +31,7 @@ std::vector<double> steps(double first, double last, int number)
   return x;
 }
 
-// a rectangle of a parameter plane, moved to where it belongs
+// Returns a rectangle of the parameter plane, mapped to space by `place`.
 Mesh surface(int nu, int nv, const std::function<Point_3(double, double)>& place)
 {
   Mesh mesh = sheet(steps(0, 1, nu), steps(0, 1, nv), [](double, double) { return 0.; });
@@ -52,7 +52,7 @@ void remove_faces(Mesh& mesh, const std::function<bool(const Point_3&)>& is_remo
   mesh.collect_garbage();
 }
 
-// The closed mesh, after a check of all that is promised.
+// Returns the closed mesh, after checks of its guarantees.
 Mesh closed(const Mesh& mesh, double offset, BS::Closing_report& report)
 {
   const BS::Input_mesh_3::Closed found = BS::close_virtually<CGAL::Sequential_tag>(mesh, offset, report);
@@ -105,7 +105,7 @@ TEST_CASE("Closing: a planar sheet becomes a slab with sloping sides")
   CHECK(report.least_offset == Approx(offset));
   CHECK(report.largest_offset == Approx(offset));
   CHECK(report.triangles == mesh.number_of_faces() + 2 * report.holes.at(0).edges);
-  // a frustum between 1 x 2 and 1.1 x 2.1
+  // The volume is that of a frustum between rectangles of 1 x 2 and 1.1 x 2.1.
   const double a = 2, b = (1 + 2 * offset) * (2 + 2 * offset), middle = (1 + offset) * (2 + offset);
   CHECK(PMP::volume(whole) == Approx(offset / 6 * (a + 4 * middle + b)));
   for(auto v : whole.vertices())
@@ -123,7 +123,7 @@ TEST_CASE("Closing: an annulus in a plane, with a slit and a flat tip")
   CHECK(report.sheets == 1);
   CHECK(report.largest_offset <= 0.05 * (1 + 1e-12));
 
-  Mesh tip; // five degrees
+  Mesh tip; // an angle of five degrees
   const double t = std::tan(5 * CGAL_PI / 180);
   tip.add_face(tip.add_vertex(Point_3(0, 0, 0)), tip.add_vertex(Point_3(1, 0, 0)), tip.add_vertex(Point_3(1, t, 0)));
   closed(tip, 0.02, report);
@@ -164,7 +164,7 @@ TEST_CASE("Closing: a sphere with a hundred holes gets as many caps")
 
 TEST_CASE("Closing: where a cap would intersect, there is a back sheet, nearer where there is less room")
 {
-  // a leaf rolled up: a spiral of two turns, 0.1 from one to the next
+  // The sheet is rolled up to a spiral of two turns, 0.1 apart.
   const Mesh mesh = surface(96, 4, [](double u, double v) {
     const double angle = 4 * CGAL_PI * u, r = 0.3 + 0.2 * u;
     return Point_3(r * std::cos(angle), r * std::sin(angle), 0.5 * v);
@@ -229,7 +229,7 @@ TEST_CASE("Closing: a mesh that intersects itself is refused, with its facets")
 
 TEST_CASE("Closing: a spiral ramp cannot be closed at its axis")
 {
-  // embedded, and all of it faces upwards, but it turns by 630 degrees around one vertex
+  // The mesh is embedded and faces upwards everywhere, but it turns by 630 degrees around one vertex.
   Mesh mesh;
   const auto axis = mesh.add_vertex(Point_3(0, 0, 0));
   std::vector<Mesh::Vertex_index> rim;

@@ -1,5 +1,5 @@
-// Shells of open meshes: certified with what closes them; certificates, edits, maps and files take open meshes, and
-// leave their borders alone.
+// Shells of open meshes are certified together with their closing. Certificates, edits, maps and files accept open
+// meshes, and do not change their borders.
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
@@ -41,7 +41,7 @@ std::vector<double> steps(int number)
   return x;
 }
 
-// hills and hollows over the unit square, which any cap would cut through: it gets a back sheet
+// Returns hills and hollows over the unit square. Any cap would intersect them, so the mesh gets a back sheet.
 const Mesh& hill()
 {
   static const Mesh mesh = sheet(steps(16), steps(16), [](double x, double y) {
@@ -55,7 +55,7 @@ const Shell& hill_shell()
   return shell;
 }
 
-// a sphere with two holes, which get caps
+// Returns a sphere with two holes, which get caps.
 const Mesh& lantern()
 {
   static const Mesh mesh = [] {
@@ -97,7 +97,7 @@ struct Throwing_predicate
   }
 };
 
-// every vertex and facet there and back, and every border vertex to itself
+// Checks that every vertex and facet is mapped there and back, and every border vertex to itself.
 void check_round_trips(const Shell& shell, const Mesh& from, const Mesh& to)
 {
   const Map map(shell, from, to);
@@ -155,7 +155,7 @@ TEST_CASE("Open meshes: the shell is certified with what closes them")
 
 TEST_CASE("Open meshes: polygons, too")
 {
-  Mesh mesh; // a box without its top, of quadrangles
+  Mesh mesh; // a box of quadrangles without its top
   const Mesh whole = box(Point_3(0, 0, 0), Point_3(1, 1, 1), false);
   mesh = whole;
   for(auto f : whole.faces()) {
@@ -187,7 +187,7 @@ TEST_CASE("Open meshes: a certificate asks for the border, bit for bit")
     CHECK(certificate.status() == BS::Shell_status::OPEN_MESH);
     break;
   }
-  Mesh smaller = hill(); // without a facet at the border
+  Mesh smaller = hill(); // lacks a facet at the border
   for(auto h : smaller.halfedges())
     if(smaller.is_border(h)) {
       CGAL::Euler::remove_face(smaller.opposite(h), smaller);
@@ -198,7 +198,7 @@ TEST_CASE("Open meshes: a certificate asks for the border, bit for bit")
   Mesh turned = hill();
   CGAL::Polygon_mesh_processing::reverse_face_orientations(turned);
   CHECK_FALSE(certificate.verify(turned));
-  Mesh closed = hill(); // by the same triangles, before it is asked for
+  Mesh closed = hill(); // closed in advance by the same triangles
   REQUIRE(hill_shell().closing()->attach(closed, closed.points()));
   CHECK(certificate.verify(closed));
 }
@@ -256,7 +256,7 @@ TEST_CASE("Open meshes: constraints, and frozen facets")
   coarse.collect_garbage();
   CHECK(border(coarse) == border(hill()));
 
-  // A vertex far out of the shell: its facets stay, and so does the border.
+  // A vertex is moved far out of the shell. Its facets stay, and so does the border.
   Mesh damaged = hill();
   const Point_3 out(0.5, 0.5, 2);
   for(auto v : damaged.vertices())
@@ -299,7 +299,7 @@ TEST_CASE("Open meshes: components near each other, one above the other and clos
   REQUIRE(result);
   coarse.collect_garbage();
   check_round_trips(shell, mesh, coarse);
-  // without the sphere, the border is the same, and a component of the shell is empty
+  // Without the sphere, the border is the same, but a component of the shell is empty.
   Mesh sheets = sheet(steps(4), steps(4), [](double, double) { return 0.12; });
   sheets.join(sheet(steps(4), steps(4), [](double, double) { return 0.; }));
   Certificate certificate(shell);
@@ -331,7 +331,7 @@ TEST_CASE("Open meshes: other types of meshes are edited, too, and other borders
   CHECK(result.status == BS::Edit_status::SUCCESS);
   CHECK(mesh.is_valid());
   CHECK(mesh.size_of_facets() == result.facets);
-  CHECK(mesh.size_of_border_edges() == 0); // of the normalized part: what counts is that there is one
+  CHECK(mesh.size_of_border_edges() == 0); // counts the normalized part only
   mesh.normalize_border();
   CHECK(mesh.size_of_border_edges() == border(hill()).size());
 
@@ -368,7 +368,7 @@ TEST_CASE(
     if(!hill().is_border(h)) continue;
     const Point_3 p = CGAL::midpoint(hill().point(hill().source(h)), hill().point(hill().target(h)));
     if(p.x() != 0) continue;
-    // in the plane of the facet, across its edge
+    // `out` is in the plane of the facet, across its edge
     const Kernel::Vector_3 edge = hill().point(hill().target(h)) - hill().point(hill().source(h));
     Kernel::Vector_3 out = p - hill().point(hill().target(hill().next(hill().opposite(h))));
     out = out - (out * edge) / edge.squared_length() * edge;
@@ -416,7 +416,7 @@ TEST_CASE("Open meshes: shells in files keep what closes them")
 
 TEST_CASE("Open meshes: closed by the caller's own triangles")
 {
-  // a tent under the square
+  // The closing is a tent under the square.
   const Mesh mesh = sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; });
   const BS::Shell_closing_3 tent({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.5, 0.5, -0.5 } }, 4,
                                  { { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 4 }, { 0, 3, 4 } },

@@ -1,4 +1,4 @@
-// Marked_cells.h: beside a search through all cells.
+// Marked_cells.h: marked cells are compared with a search through all cells.
 #include <CGAL/Bspline_shell_3/Construction/Marked_cells.h>
 #include "random_hierarchies.h"
 

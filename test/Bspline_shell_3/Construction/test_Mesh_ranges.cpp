@@ -1,4 +1,5 @@
-// Mesh_ranges.h: enclosures of a field on the mesh in each cell, against samples; what is kept, and what is found anew.
+// Mesh_ranges.h: enclosures of a field on the mesh in each cell are compared with samples. Unchanged ranges are kept,
+// and changed ones are computed again.
 #include <CGAL/Bspline_shell_3/Construction/Mesh_ranges.h>
 #include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
@@ -45,7 +46,7 @@ struct Problem
     field.set_coefficients(x);
   }
 
-  // something like the distance to the unit sphere, and noise
+  // Sets the field close to the distance from the unit sphere, plus noise.
   void set_noisy_distance(double noise, int seed)
   {
     CGAL::Random random(seed);
@@ -55,7 +56,7 @@ struct Problem
     });
   }
 
-  // visit(piece, value of the field at a point of it)
+  // Calls visit(piece, value of the field at a point of the piece).
   template <typename Visitor>
   void sample(const Visitor& visit) const
   {
@@ -131,7 +132,7 @@ TEST_CASE("Ranges on the mesh: they enclose what the field takes on, and tell wh
         escaped += !(range.min <= sampled[c].min && sampled[c].max <= range.max);
         const bool is_thick = thick.count(std::uint32_t(c)) > 0;
         missed += !is_thick && size_of(range) > size;
-        // samples miss little
+        // Samples come close to the extrema.
         too_many += is_thick && size_of(sampled[c]) < 0.97 * size;
         coarse += precision == Ranges::SHARP && size_of(range) > 1.35 * size_of(sampled[c]) + 0.05 * size;
       }
@@ -143,7 +144,7 @@ TEST_CASE("Ranges on the mesh: they enclose what the field takes on, and tell wh
       CHECK(thick.size() > sizes.size() / 5);
       CHECK(thick.size() < sizes.size() / 3);
 
-      // a place where the field is nearly as large as anywhere in the cell
+      // At the reported place, the field is nearly as large as anywhere in the cell.
       std::size_t wrong = 0;
       for(const BS::Thick_cell& t : ranges.thick_cells()) {
         const auto triangle = problem.input.triangle(BS::Input_mesh_3::Face_index(t.facet));
@@ -160,7 +161,7 @@ TEST_CASE("Ranges on the mesh: they enclose what the field takes on, and tell wh
 
 TEST_CASE("Ranges on the mesh: a peak between the corners decides")
 {
-  // 1 - ((x - 0.3)^2 + (y - 0.2)^2) / 4 on the top of a box whose pieces have no corner there
+  // 1 - ((x - 0.3)^2 + (y - 0.2)^2) / 4 on the top of a box; no piece has a corner at the peak
   Problem problem(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), BS::Lattice_3(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5));
   const double h = 0.5;
   problem.set([&](const BS::Lattice_3::Point& g) {
@@ -192,7 +193,7 @@ TEST_CASE("Ranges on the mesh: what did not change is kept, and nothing else")
   const std::size_t thick_before = ranges.thick_cells().size();
   REQUIRE(thick_before > 0);
 
-  // sharper ranges lie in the others
+  // Sharper ranges are contained in the others.
   Ranges sharper = ranges;
   sharper.update<Sequential>(problem.field, problem.clipped, everywhere(size), Ranges::SHARP);
   std::size_t wrong = 0, better = 0;
@@ -203,7 +204,7 @@ TEST_CASE("Ranges on the mesh: what did not change is kept, and nothing else")
   CHECK(wrong == 0);
   CHECK(better > 0);
 
-  // another field: seen where it is said to be another
+  // The field changes everywhere; only the range of the forgotten cell is updated.
   problem.set_noisy_distance(0.02, 2);
   const std::uint32_t changed = ranges.thick_cells().front().cell;
   ranges.forget(changed);
@@ -214,7 +215,7 @@ TEST_CASE("Ranges on the mesh: what did not change is kept, and nothing else")
   CHECK(size_of(ranges.cells()[changed]) < size);
   CHECK(ranges.thick_cells().size() == thick_before - 1);
 
-  // the same cells under other numbers
+  // the same cells, renumbered
   const std::uint32_t n = std::uint32_t(before.size()), fresh = ranges.thick_cells().front().cell;
   Ranges reversed(n);
   for(std::uint32_t c = 0; c < n; ++c) reversed.keep(ranges, c, n - 1 - c);
@@ -227,7 +228,7 @@ TEST_CASE("Ranges on the mesh: what did not change is kept, and nothing else")
              || reversed.cells()[n - 1 - c].max != ranges.cells()[c].max;
   CHECK(wrong == 0);
 
-  // one that is not kept
+  // One range is not kept.
   Ranges others(n);
   for(std::uint32_t c = 0; c < n; ++c)
     if(c != fresh) others.keep(ranges, c, c);

@@ -1,5 +1,5 @@
-// Narrowed_thresholds.h: as wide as asked for where that is proved to be free of critical points, narrower elsewhere,
-// and what is kept from field to field makes no difference.
+// Narrowed_thresholds.h: thresholds are as wide as requested where the shell is proved to be free of critical points,
+// and narrower at other places. Data that is kept from field to field does not change the result.
 #include <CGAL/Bspline_shell_3/Construction/Narrowed_thresholds.h>
 #include "random_hierarchies.h"
 #include "test_meshes.h"
@@ -26,8 +26,8 @@ typedef BS::Narrowed_thresholds<Field> Thresholds;
 typedef BS::Threshold_obstacle Obstacle;
 typedef Field::Cell_index Index;
 
-// A function near the distance to the unit sphere, whose only critical point is near the center, on cells of width 1/2
-// and smaller ones.
+// A function close to the distance from the unit sphere, on cells of width 1/2 and smaller. Its only critical point is
+// near the center.
 struct Ball
 {
   BS::Input_mesh_3 input;
@@ -82,8 +82,7 @@ std::vector<Field::Point_3> seed()
   return { Field::Point_3(1, 0, 0) };
 }
 
-// thicknesses asked for; with the second, both the center and the end of the domain are between thresholds as wide as
-// that
+// Requested thicknesses. With `thick`, the center and the end of the domain are between thresholds of this width.
 double thin(const Point_3&)
 {
   return 0.4;
@@ -140,7 +139,7 @@ TEST_CASE("Narrowed thresholds: a critical point, and the end of the domain, are
   CHECK(thresholds.undecided_volume() == 0);
   const double at_center = ball.field.value(Point_3(0, 0, 0)).value();
   const double at_end = ball.field.value(Point_3(2.499, 0, 0)).value();
-  REQUIRE(at_center > -half); // so that something had to be done
+  REQUIRE(at_center > -half); // otherwise there would be nothing to narrow
   REQUIRE(at_end < half);
   CHECK(thresholds.inner().value(Point_3(0, 0, 0)) > at_center);
   CHECK(thresholds.outer().value(Point_3(2.499, 0, 0)) < at_end);
@@ -149,7 +148,7 @@ TEST_CASE("Narrowed thresholds: a critical point, and the end of the domain, are
     CHECK(thresholds.inner().range(c).min <= ball.ranges[c].min);
     CHECK(thresholds.outer().range(c).max >= ball.ranges[c].max);
   }
-  // the one next to the place alone
+  // Only the threshold next to the place is narrowed.
   const double less = 1.2;
   REQUIRE(at_center > -less);
   REQUIRE(at_end > less);
@@ -158,7 +157,7 @@ TEST_CASE("Narrowed thresholds: a critical point, and the end of the domain, are
   CHECK(ball.choose(only_inside).empty());
   CHECK(only_inside.inner().value(Point_3(0, 0, 0)) > at_center);
   CHECK(outer(only_inside).minCoeff() == less);
-  // one pass finds out, but does not narrow
+  // One pass finds the place, but does not narrow the threshold.
   Thresholds once(seed());
   once.begin(ball.field, thick);
   BS::Narrowing_limits limits;
@@ -172,8 +171,8 @@ TEST_CASE("Narrowed thresholds: the end of the domain counts as undecided as lon
 {
   const Ball large(1.9);
   constexpr double width = 1.6;
-  REQUIRE(large.field.value(Point_3(0, 0, 0)).value() < -width / 2 - 0.3); // not in the shell
-  REQUIRE(large.field.value(Point_3(2.499, 0, 0)).value() < width / 2);    // in it
+  REQUIRE(large.field.value(Point_3(0, 0, 0)).value() < -width / 2 - 0.3); // outside the shell
+  REQUIRE(large.field.value(Point_3(2.499, 0, 0)).value() < width / 2);    // in the shell
   Thresholds thresholds(seed());
   BS::Narrowing_limits limits;
   limits.max_passes = 1;
@@ -187,7 +186,7 @@ TEST_CASE("Narrowed thresholds: the end of the domain counts as undecided as lon
 
 TEST_CASE("Narrowed thresholds: where the mesh is near a critical point, that is an obstacle, in its cell")
 {
-  // zero everywhere
+  // the field is zero everywhere
   const Ball flat(1, 0);
   Thresholds thresholds(seed());
   thresholds.begin(flat.field, thin);
@@ -200,7 +199,7 @@ TEST_CASE("Narrowed thresholds: where the mesh is near a critical point, that is
   for(const Obstacle& o : obstacles) wrong += flat.field.locate(Point_3(o.point[0], o.point[1], o.point[2])) != o.cell;
   CHECK(wrong == 0);
 
-  // as wide as asked for everywhere is what the mesh needs: there is nothing to narrow
+  // The mesh needs the full requested width everywhere, so nothing can be narrowed.
   const Ball ball;
   Thresholds needing(seed());
   needing.begin(ball.field, thick);
@@ -219,7 +218,7 @@ TEST_CASE("Narrowed thresholds: where the mesh is near a critical point, that is
   CHECK(are_near({ 0, 0, 0 }));   // the critical point
   CHECK(are_near({ 2.5, 0, 0 })); // the end of the domain
   CHECK_FALSE(are_near({ 1, 0, 0 }));
-  // constant ones are not narrowed, either
+  // Constant thresholds are not narrowed either.
   needing.forget();
   needing.begin(ball.field, thick);
   needing.set_constant({ -half, 0.2 });
@@ -228,14 +227,14 @@ TEST_CASE("Narrowed thresholds: where the mesh is near a critical point, that is
   CHECK(outer(needing).minCoeff() == 0.2);
 }
 
-// ((r - R)^2 - (g / 2)^2) / h on cells of width h, all around: zero on both sides of the wall of a hollow ball, and
-// critical in its middle
+// ((r - R)^2 - (g / 2)^2) / h on cells of width h. The field is zero on both sides of the wall of a hollow ball, and
+// critical in the middle of the wall.
 struct Hollow_ball
 {
   static constexpr double width = 0.25, radius = 2, small = 0.006;
   double depth;
   Field field;
-  std::vector<BS::Level_range> ranges; // on the mesh, as they are at the rims of walls
+  std::vector<BS::Level_range> ranges; // on the mesh, as at the rims of walls
 
   explicit Hollow_ball(double wall) : depth(wall * wall / (4 * width))
   {
@@ -247,7 +246,7 @@ struct Hollow_ball
     for(Index n = 0; n < field.number_of_coefficients(); ++n) {
       const CGAL::Bbox_3 b = field.support(n);
       const Point_3 p((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2);
-      // splines with these coefficients exceed the squared distance by a third of the squared width
+      // The squared distance is the spline whose coefficients are smaller by a third of the squared width.
       x[n] = (std::pow(std::sqrt(CGAL::squared_distance(p, Point_3(0, 0, 0))) - radius, 2) - width * width / 3) / width
              - depth;
     }
@@ -360,7 +359,7 @@ TEST_CASE("Narrowed thresholds: caps are kept for another field, and are wider w
   CHECK(thresholds.inner().value(Point_3(0, 0, 0)) == Approx(at_center));
   CHECK(thresholds.outer().value(Point_3(2.49, 0, 0)) == Approx(at_end));
   CHECK(thresholds.undecided_volume() == 0);
-  // on cells half as wide: twice as wide, but not wider than asked for
+  // On cells half as wide, caps are twice as wide, up to the requested width.
   std::vector<Index> all(ball.field.number_of_cells());
   for(Index c = 0; c < all.size(); ++c) all[c] = c;
   const Hierarchy before = ball.field.cells();
@@ -379,7 +378,7 @@ TEST_CASE("Narrowed thresholds: what is kept where the field stays the same make
   Thresholds kept(seed());
   kept.begin(ball.field, thick);
   ball.choose(kept);
-  // flat around one point of the mesh
+  // The field becomes flat around one point of the mesh.
   const Eigen::VectorXd before = ball.field.coefficients();
   Eigen::VectorXd x = before;
   std::vector<char> touched(ball.field.number_of_coefficients());
@@ -396,7 +395,7 @@ TEST_CASE("Narrowed thresholds: what is kept where the field stays the same make
   kept.field_has_changed(changed);
   CHECK_FALSE(kept.are_chosen());
   const std::vector<Obstacle> obstacles = ball.choose(kept);
-  // with the caps, and nothing else, of the first field
+  // The other thresholds keep only the caps of the first field.
   Ball first;
   Thresholds fresh(seed());
   fresh.begin(first.field, thick);
@@ -407,7 +406,7 @@ TEST_CASE("Narrowed thresholds: what is kept where the field stays the same make
   CHECK(inner(fresh) == inner(kept));
   CHECK(outer(fresh) == outer(kept));
   CHECK(fresh.undecided_volume() == kept.undecided_volume());
-  // without caps, the shell is as thick where the first field was in the way
+  // Without caps, the shell is as thick as requested where the first field had obstacles.
   fresh.forget();
   fresh.begin(ball.field, thin);
   ball.choose(fresh);
@@ -434,7 +433,7 @@ TEST_CASE(
     if(now[c] != Field::npos && !BS::is_same_in_cell(before, c, finer.field, now[c])) now[c] = Field::npos;
     same += now[c] != Field::npos && now[c] != c;
   }
-  REQUIRE(same > 100); // under other numbers
+  REQUIRE(same > 100); // renumbered cells
   kept.cells_were_refined(now);
   CHECK_FALSE(kept.are_chosen());
   Thresholds uncovered = std::move(kept), covered(seed());
@@ -448,7 +447,7 @@ TEST_CASE(
   CHECK(inner(uncovered) == inner(covered));
   CHECK(outer(uncovered) == outer(covered));
   CHECK(covered.undecided_volume() == 0);
-  // what the first field needed is known before the first pass
+  // The caps for the first field are used from the first pass on.
   BS::Narrowing_limits once;
   once.max_passes = 1;
   covered.begin(finer.field, thick);

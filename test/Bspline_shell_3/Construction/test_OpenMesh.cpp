@@ -1,4 +1,5 @@
-// OpenMesh's meshes: shells, maps, edits. CGAL's map of their points rounds to floats what is put into it.
+// Shells, maps and edits of OpenMesh's meshes. CGAL's property map of their points rounds written coordinates to
+// floats.
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 
@@ -23,7 +24,7 @@ namespace BS = CGAL::Bspline_shells;
 typedef OpenMesh::PolyMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble> Poly_mesh;
 typedef CGAL::Certified_bspline_shell_3 Shell;
 
-// the same vertices and facets in the same order, with all bits
+// Returns a mesh with the same vertices and facets in the same order, without rounding.
 Poly_mesh openmesh_of(const Mesh& mesh)
 {
   Poly_mesh result;
@@ -140,7 +141,7 @@ TEST_CASE("OpenMesh: closed and opened again, or left as it is")
     CHECK(CGAL::is_valid_polygon_mesh(mesh));
   };
   check({ { 0.5, 0.5, -1 } }, { { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 4 }, { 0, 3, 4 } }, true);
-  // with the diagonal that the mesh has
+  // Two facets of the closing have the diagonal of the mesh as an edge.
   check({ { 0.7, 0.3, -1 }, { 0.3, 0.7, -1 } },
         { { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 5 }, { 0, 3, 5 }, { 0, 2, 4 }, { 2, 0, 5 } }, false);
 }

@@ -1,4 +1,4 @@
-// Refinement_budget.h: whether the limits allow another round. No clock runs, but in the last test.
+// Refinement_budget.h: decides whether the limits allow another round. Only the last test measures time.
 #include <CGAL/Bspline_shell_3/Construction/Refinement_budget.h>
 
 #include <catch2/catch.hpp>
@@ -22,7 +22,7 @@ BS::Refinement_parameters limits(double bytes)
   return parameters;
 }
 
-// of 1000 cells
+// Adds a round of 1000 cells.
 void add_round(Budget& budget, bool is_partial, bool is_examined)
 {
   BS::Refinement_round& round = budget.begin_round();
@@ -56,7 +56,7 @@ TEST_CASE("Budget: the effort of a round is its cells, and those that were fitte
   CHECK(resource(10000) == Refinement_resource::NONE);
   CHECK(resource(10001) == Refinement_resource::EFFORT);
   for(std::size_t fitted : { 3000, 500 }) {
-    budget.begin_round().cells = 3500; // of which a part may be fitted
+    budget.begin_round().cells = 3500; // only a part of these may be fitted
     budget.add_fitted_cells(fitted);
   }
   CHECK(resource(6500) == Refinement_resource::NONE);
@@ -88,7 +88,7 @@ TEST_CASE("Budget: the time of a step is that since the step before")
   Budget budget(limits(no_limit));
   budget.start();
   budget.begin_round();
-  // a step may be shorter than the clock's tick
+  // A step may be shorter than the resolution of the clock.
   const auto& seconds = budget.rounds()[0].seconds;
   for(int n = 0; n < 10000000 && !(seconds[Budget::CELLS] > 0); ++n) budget.end_step(Budget::CELLS);
   CHECK(seconds[Budget::CELLS] > 0);

@@ -1,4 +1,4 @@
-// Refinement_history.h: what is concluded from the rounds of a refinement.
+// Refinement_history.h: conclusions from the rounds of a refinement.
 #include <CGAL/Bspline_shell_3/Construction/Refinement_history.h>
 
 #include <catch2/catch.hpp>

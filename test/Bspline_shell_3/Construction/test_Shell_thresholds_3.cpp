@@ -1,4 +1,5 @@
-// Shell_thresholds_3.h: as wide as asked for, narrower under caps, never narrower than the mesh needs.
+// Shell_thresholds_3.h: thresholds are as wide as requested, narrower under caps, and never narrower than the mesh
+// requires.
 #include "random_hierarchies.h"
 #include "test_meshes.h"
 
@@ -32,13 +33,13 @@ double asked(const Point_3&)
   return 0.5;
 }
 
-// the coefficients, with a sign that makes both thresholds grow outwards
+// Returns a factor for coefficients of a threshold; their products increase outwards for both thresholds.
 double sign(CGAL::Sign side)
 {
   return side == CGAL::POSITIVE ? 1 : -1;
 }
 
-// cells of width 1/2 and smaller ones around the unit sphere, and the ranges of a bumpy function on its mesh
+// Cells of width 1/2 and smaller around the unit sphere, and the ranges of a bumpy function on its mesh.
 struct Problem
 {
   BS::Input_mesh_3 input;
@@ -77,7 +78,7 @@ const Problem& problem()
   return p;
 }
 
-// the leaf's range, by its Bernstein coefficients
+// Returns the range of the Bernstein coefficients of a leaf.
 Level_range hull(const Field& threshold, Index c)
 {
   Level_range r;
@@ -103,7 +104,7 @@ double squared_distance(const Point_3& p, const CGAL::Bbox_3& b)
   return squared;
 }
 
-// without a mesh
+// Returns a threshold with one cap, without a mesh.
 Field capped_once(const Field& field, double slope, Index c, CGAL::Sign side, double size)
 {
   Thresholds thresholds(field, asked, slope);
@@ -111,8 +112,8 @@ Field capped_once(const Field& field, double slope, Index c, CGAL::Sign side, do
   return thresholds.threshold<Tag>(side);
 }
 
-// The largest slope at many points. Differences of coefficients are bounded along lines; across them, the spline's
-// slope can be larger, by little where a distance is what they grow with.
+// Returns the largest slope at many points. Differences of coefficients are bounded along lines of coefficients. In
+// other directions, the spline can be steeper, but only slightly where coefficients grow with a distance.
 double steepest(const Field& threshold, CGAL::Random& random)
 {
   double largest = 0;
@@ -138,7 +139,7 @@ TEST_CASE("Thresholds: the mesh is between them in every cell, whatever caps the
     int narrowed = 0;
     for(Index c = 0; c < p.field.number_of_cells(); ++c) {
       if(!p.is_on_mesh(c)) continue;
-      // up to rounding of the conversion to Bernstein coefficients
+      // up to rounding in the conversion to Bernstein coefficients
       CHECK(hull(inner, c).max <= p.ranges[c].min + 1e-14);
       CHECK(hull(outer, c).min >= p.ranges[c].max - 1e-14);
       narrowed += hull(outer, c).min < 0.249 || hull(inner, c).max > -0.249;
@@ -153,7 +154,7 @@ TEST_CASE("Thresholds: the mesh is between them in every cell, whatever caps the
         CHECK(outer.value(at).value() >= f - 1e-14);
       }
   }
-  // not only because it is wide: ranges beyond what is asked for
+  // The mesh is contained not only because thresholds are wide: here, its ranges exceed the requested width.
   std::vector<Level_range> wide = p.ranges;
   for(Level_range& r : wide)
     if(r.min <= r.max) r = { r.min - 0.4, r.max + 0.2 };
@@ -167,7 +168,7 @@ TEST_CASE("Thresholds: the mesh is between them in every cell, whatever caps the
     CHECK(thresholds.needed(c, CGAL::NEGATIVE) <= wide[c].min);
     CHECK(thresholds.needed(c, CGAL::POSITIVE) >= wide[c].max);
   }
-  // new ranges replace the old ones
+  // New ranges replace the old ones.
   thresholds.set_mesh_ranges(std::vector<Level_range>(p.field.number_of_cells()));
   for(Index c = 0; c < p.field.number_of_cells(); ++c) {
     CHECK(hull(thresholds.threshold<Tag>(CGAL::POSITIVE), c).max == Approx(0.25));
@@ -181,7 +182,7 @@ TEST_CASE("Thresholds: what the mesh needs in a cell is what it needs of the fun
   const Problem& p = problem();
   Thresholds thresholds(p.field, asked);
   thresholds.set_mesh_ranges(p.ranges);
-  // of each function, the extrema on the mesh where it acts
+  // for each basis function, the extrema on the mesh in its support
   std::vector<Level_range> of(p.field.number_of_coefficients());
   for(Index c = 0; c < p.field.number_of_cells(); ++c)
     if(p.is_on_mesh(c)) p.field.visit_coefficients(c, [&](int, Index u, double) { of[u].include(p.ranges[c]); });
@@ -213,7 +214,7 @@ TEST_CASE("Thresholds: a cap holds in its cell, where the mesh allows it, and on
     without.set_mesh_ranges(p.ranges);
     CHECK(thresholds.threshold<Tag>(CGAL::opposite(side)).coefficients()
           == without.threshold<Tag>(CGAL::opposite(side)).coefficients());
-    // one that is wider than what is asked for, and the same again
+    // a cap wider than requested, and a weaker one in the same cell
     const Eigen::VectorXd x = thresholds.threshold<Tag>(side).coefficients();
     thresholds.cap(c, side, sign(side) * 0.25);
     thresholds.cap(c, side, sign(side) * (size + 0.01));
@@ -276,7 +277,7 @@ TEST_CASE("Thresholds: beyond a cap the threshold rises to what is asked for")
         const double value = sign(side) * threshold.value(q).value(), distance = std::sqrt(squared_distance(q, b));
         CHECK(value >= size - 1e-14);
         CHECK(value <= 0.25 + 1e-14);
-        // a function acts on a box of four cells of its size
+        // A basis function has a support of four cells of its size per axis.
         CHECK(value <= size + slope * distance + 1e-14);
         const double width = p.field.cells().level_width(0);
         CHECK(value >= (std::min)(0.25, size + slope * (distance - 4 * std::sqrt(3.) * width)) - 1e-14);
@@ -357,7 +358,7 @@ TEST_CASE("Thresholds: two levels everywhere")
 TEST_CASE("Thresholds: a thickness that varies is followed where nothing else rules")
 {
   const Problem& p = problem();
-  // a spline reproduces linear functions
+  // A spline reproduces linear functions.
   const auto linear = [](const Point_3& q) { return 1 + 0.2 * q.x() - 0.1 * q.z(); };
   Thresholds thresholds(p.field, linear);
   CGAL::Random random(6);
@@ -367,7 +368,7 @@ TEST_CASE("Thresholds: a thickness that varies is followed where nothing else ru
     CHECK(outer.value(q).value() == Approx(linear(q) / 2).epsilon(1e-9));
     CHECK(inner.value(q).value() == Approx(-linear(q) / 2).epsilon(1e-9));
   }
-  // a cap far below reaches where the largest thickness wants it to
+  // A cap far below the requested thickness has an effect as far as the largest thickness requires.
   Thresholds capped(p.field, linear);
   const Index c = p.field.locate(Point_3(0.1, 0.1, 0.1));
   capped.cap(c, CGAL::POSITIVE, 0.1);
@@ -377,7 +378,7 @@ TEST_CASE("Thresholds: a thickness that varies is followed where nothing else ru
     const Point_3 q = random_point(random, domain);
     CHECK(threshold.value(q).value() <= linear(q) / 2 + 1e-9);
   }
-  // with jumps, away from these
+  // A thickness with jumps is reproduced at a distance from the jumps.
   const auto step = [](const Point_3& q) { return q.x() < 0 ? 0.2 : 0.6; };
   const Field stepped = Thresholds(p.field, step).threshold<Tag>(CGAL::POSITIVE);
   for(int n = 0; n < 1000; ++n) {

@@ -1,4 +1,4 @@
-// Threshold_obstacle.h: cells of obstacles, and of what is to blame for them.
+// Threshold_obstacle.h: cells of obstacles, and cells that cause them.
 #include <CGAL/Bspline_shell_3/Construction/Threshold_obstacle.h>
 #include "random_hierarchies.h"
 #include "test_meshes.h"
@@ -82,7 +82,7 @@ TEST_CASE("Culprits: cells that share a function with an obstacle's cell, and wh
         for(Index d = 0; d < ranges.size(); ++d) {
           const bool expected = is_too_large(d) && share_a_function(here, functions(*field, d));
           missed += expected && !contains(culprits, d);
-          // on cells of several sizes, some are between those that the functions reach
+          // On cells of different sizes, some culprits are between the cells in the supports.
           wrong += contains(culprits, d) && !(field == &equal ? expected : is_too_large(d));
         }
       }

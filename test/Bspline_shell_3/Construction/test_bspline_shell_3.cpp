@@ -30,8 +30,8 @@ typedef CGAL::Bspline_shell_3<> Shell;
 typedef BS::Shell_status Status;
 typedef BS::Shell_step Step;
 
-// calls f(position of the facet, point) for points at most `distance` apart all over each facet, also on its edges and
-// at its corners
+// Calls f(position of the facet, point) for points at most `distance` apart on each facet, including its edges and
+// corners.
 template <typename Function>
 void for_each_point_on_mesh(const Mesh& mesh, double distance, const Function& f)
 {
@@ -39,7 +39,7 @@ void for_each_point_on_mesh(const Mesh& mesh, double distance, const Function& f
   for(auto face : mesh.faces()) {
     std::vector<Point_3> c;
     for(auto v : mesh.vertices_around_face(mesh.halfedge(face))) c.push_back(mesh.point(v));
-    for(std::size_t t = 1; t + 1 < c.size(); ++t) { // convex polygons
+    for(std::size_t t = 1; t + 1 < c.size(); ++t) { // polygons are convex
       const double longest = std::sqrt(
         (std::max)({ CGAL::squared_distance(c[0], c[t]), CGAL::squared_distance(c[t], c[t + 1]),
                      CGAL::squared_distance(c[t + 1], c[0]) }));
@@ -52,7 +52,7 @@ void for_each_point_on_mesh(const Mesh& mesh, double distance, const Function& f
   }
 }
 
-// The shell encloses the mesh, and all that it says of itself agrees.
+// Checks that the shell encloses the mesh, and that its data is consistent.
 void check_shell(const Shell& shell, const Mesh& mesh)
 {
   REQUIRE(shell.status() == Status::SUCCESS);
@@ -63,7 +63,8 @@ void check_shell(const Shell& shell, const Mesh& mesh)
   CHECK(shell.relative_thickness() == shell.thickness() / shell.report().unit);
 
   REQUIRE(shell.facet_ranges().size() == mesh.number_of_faces());
-  // Samples are rounded: to a few units in the last place of coordinates and coefficients, which are below ten units.
+  // Samples are rounded by a few units in the last place of coordinates and coefficients, which are less than ten
+  // units.
   const double rounding = 1e-14 * shell.report().unit;
   bool in_levels = true, in_facet_ranges = true, bounded = true;
   BS::Level_range sampled;
@@ -78,14 +79,14 @@ void check_shell(const Shell& shell, const Mesh& mesh)
   CHECK(in_levels);
   CHECK(in_facet_ranges);
   CHECK(bounded);
-  // nor is the shell thicker than it must be: with ten samples per cell, an extremum is missed by little
+  // The shell is not thicker than necessary. With ten samples per cell, extrema are nearly attained.
   CHECK(shell.thickness() < 1.02 * (sampled.max - sampled.min));
 
-  // extrema on edges are values that f takes on the mesh
+  // Extrema on edges are values of f on the mesh.
   const BS::Shell_report& report = shell.report();
   CHECK(report.edges.min >= report.facets_bound.min);
   CHECK(report.edges.max <= report.facets_bound.max);
-  // levels are the bounds, rounded outwards by no more than the paper's 1e-10
+  // Levels are the bounds, rounded outwards by at most 1e-10, as in the paper.
   CHECK(shell.inner_level() <= report.facets_bound.min);
   CHECK(shell.outer_level() >= report.facets_bound.max);
   CHECK(report.facets_bound.min - shell.inner_level() <= 1.01e-10 * report.unit);
@@ -97,7 +98,7 @@ void check_shell(const Shell& shell, const Mesh& mesh)
   CHECK(shell.shell_cells().size() == report.cells);
 }
 
-// the steps that were announced; stops when told to
+// Records the announced steps; cancels at a given one.
 struct Step_recorder
 {
   std::vector<Step> steps;
@@ -109,7 +110,7 @@ struct Step_recorder
   }
 };
 
-// a sphere's distance, with no mesh behind it
+// The distance from a sphere, without a mesh.
 struct Sphere_distance
 {
   typedef ::Point_3 Point_3;
@@ -118,7 +119,7 @@ struct Sphere_distance
   FT operator()(const Point_3& p) const { return std::sqrt((p - CGAL::ORIGIN).squared_length()) - radius; }
 };
 
-// the same, not to be copied
+// A distance that cannot be copied.
 struct Pinned_distance : Sphere_distance
 {
   Pinned_distance() = default;
@@ -131,7 +132,7 @@ bool same(const Shell& a, const Shell& b)
          && a.field().coefficients() == b.field().coefficients();
 }
 
-// what a function writes to the standard output and error
+// Returns the text that a function writes to the standard output and error streams.
 template <typename Function>
 std::string printed_by(const Function& f)
 {
@@ -210,7 +211,7 @@ TEST_CASE("bounded_side: between the levels, near the mesh")
   REQUIRE(shell);
   REQUIRE(shell.thickness() < 0.1);
   for(const Vector_3& d : { Vector_3(1, 0, 0), Vector_3(0.6, 0, -0.8), Vector_3(-0.48, 0.6, 0.64) }) {
-    // |gradient| is near one: inside the levels by a margin, outside by one, and outside of the domain
+    // |gradient| is close to one; points are well inside or outside the levels, or outside the domain
     CHECK(shell.bounded_side(CGAL::ORIGIN + (1 - 2 * shell.thickness() - 0.05) * d) == CGAL::ON_UNBOUNDED_SIDE);
     CHECK(shell.bounded_side(CGAL::ORIGIN + (1 + 2 * shell.thickness() + 0.05) * d) == CGAL::ON_UNBOUNDED_SIDE);
     CHECK(shell.bounded_side(CGAL::ORIGIN + 100 * d) == CGAL::ON_UNBOUNDED_SIDE);
@@ -221,7 +222,7 @@ TEST_CASE("bounded_side: between the levels, near the mesh")
 
 TEST_CASE("On the boundary is where f is one of the levels, in cells of the shell only")
 {
-  // f = x - 1/2 on a cube of cells, level surfaces x = 1/2 and x = 3/4; the cell of x < 0 is not part of the shell
+  // f = x - 1/2 on two cells; the levels are x = 1/2 and x = 3/4. The cell with x < 0 is not part of the shell.
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-2, -2, -2, 2, 2, 2), 1);
   std::vector<std::uint64_t> keys;
   for(int i : { -1, 0 }) keys.push_back(BS::Lattice_key::encode(i, 0, 0));
@@ -269,7 +270,7 @@ TEST_CASE("The field's domain is the cells of the mesh and rings of cells around
     const Shell shell = CGAL::bspline_shell_3(mesh, P::resolution(16).number_of_rings(rings));
     REQUIRE(shell);
     const double w = shell.field().cells().width();
-    // wherever one goes from the mesh, there are that many cells
+    // There are this many cells around the mesh, in every direction.
     bool covered = true;
     for(auto v : mesh.vertices())
       for(int axis = 0; axis < 3; ++axis)
@@ -373,7 +374,7 @@ TEST_CASE("A user's distance replaces that to the mesh")
   REQUIRE(default_distance);
   CHECK(same(by_value, by_reference));
   CHECK_FALSE(same(by_value, default_distance));
-  // another radius: the field's values follow the oracle, not the mesh
+  // The radius differs from the mesh: the values of the field follow the oracle.
   Sphere_distance larger;
   larger.radius = 1.05;
   BS::Energy_weights none;
@@ -383,8 +384,8 @@ TEST_CASE("A user's distance replaces that to the mesh")
   REQUIRE(shifted);
   CHECK(*shifted.field().value(Point_3(1.05, 0, 0)) == Approx(0).margin(0.01));
   CHECK(*shifted.field().value(Point_3(0, 0, -1)) == Approx(-0.05).margin(0.01));
-  // and the package's own oracle is one that a user may pass, with the same result as by default, but for distances
-  // that are rounded in another way and the solver's tolerance
+  // The package's own oracle can be passed, too. The result is the default one, up to rounding of distances and the
+  // solver's tolerance.
   BS::Input_mesh_3 input;
   REQUIRE(input.build<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), {}) == Status::SUCCESS);
   const BS::Mesh_signed_distance_3 distance(input);
@@ -412,7 +413,7 @@ TEST_CASE("The visitor is told of every step, in order, and can stop at each")
     CHECK(stopper.steps == std::vector<Step>(all.begin(), all.begin() + std::ptrdiff_t(n)));
     CHECK(canceled.facet_ranges().empty());
   }
-  // passed by value, it is copied
+  // A visitor that is passed by value is copied.
   Step_recorder copied;
   copied.stop_at = 2;
   CHECK(CGAL::bspline_shell_3(mesh, P::resolution(8).visitor(copied)).status() == Status::CANCELED);
@@ -430,7 +431,7 @@ TEST_CASE("GRID_TOO_FINE: cells too small for the coordinates or for the lattice
   CHECK(status(near, 1e15) == Status::GRID_TOO_FINE);
   CHECK(status(near, 1e300) == Status::GRID_TOO_FINE);
   CHECK(status(far, 10) == Status::SUCCESS);
-  CHECK(status(far, 1e3) == Status::GRID_TOO_FINE); // 1e9 * 500 is beyond 2^36 cells
+  CHECK(status(far, 1e3) == Status::GRID_TOO_FINE); // 1e9 * 500 exceeds 2^36 cells
   CHECK(CGAL::bspline_shell_3(near, P::grid_spacing(1e-12)).status() == Status::GRID_TOO_FINE);
 }
 
@@ -444,11 +445,11 @@ TEST_CASE("MEMORY_LIMIT_EXCEEDED: found out before the memory is taken")
     if(shell.status() == Status::MEMORY_LIMIT_EXCEEDED) CHECK(recorder.steps.back() == Step::CELLS);
     return shell.status();
   };
-  // these would take terabytes
+  // These shells would take terabytes.
   CHECK(build(3e5, 1e9, false) == Status::MEMORY_LIMIT_EXCEEDED);
   CHECK(build(1e5, 1e9, true) == Status::MEMORY_LIMIT_EXCEEDED);
   CHECK(build(2000, 1e9, true) == Status::MEMORY_LIMIT_EXCEEDED);
-  // a few thousand cells and unknowns, of some thousand bytes
+  // These have a few thousand cells and unknowns, each of a few thousand bytes.
   CHECK(build(10, 1e5, false) == Status::MEMORY_LIMIT_EXCEEDED);
   CHECK(build(10, 1e6, false) == Status::MEMORY_LIMIT_EXCEEDED);
   CHECK(build(10, 1e8, false) == Status::SUCCESS);
@@ -457,7 +458,7 @@ TEST_CASE("MEMORY_LIMIT_EXCEEDED: found out before the memory is taken")
 
 TEST_CASE("A bounding surface that runs out of the cells: a refusal if their number was given, more cells if not")
 {
-  // a flat double cone: its rim is so sharp that f is off by many cells there
+  // The mesh is a flat double cone. Its rim is so sharp that f is off by many cells there.
   const int corners = 12;
   Mesh mesh;
   std::vector<Mesh::Vertex_index> rim;
@@ -486,7 +487,7 @@ TEST_CASE("A bounding surface that runs out of the cells: a refusal if their num
     expected.insert(expected.end(), { Step::CELLS, Step::DISTANCE, Step::FIT, Step::BOUNDS });
   CHECK(recorder.steps == expected);
 
-  // where the cells end, the field is not between the levels
+  // At the end of the cells, the field is not between the levels.
   const double w = shell.field().cells().width();
   bool separated = true;
   for(Shell::Field::Cell_index c = 0; c < shell.field().number_of_cells(); ++c) {
@@ -508,7 +509,7 @@ TEST_CASE("A bounding surface that runs out of the cells: a refusal if their num
   }
   CHECK(separated);
 
-  // the distance is sampled where cells are added; the fit is that of all samples
+  // The distance is sampled where cells are added; the fit uses all samples.
   BS::Input_mesh_3 input;
   REQUIRE(input.build<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), {}) == Status::SUCCESS);
   const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, shell.field().cells());
@@ -519,7 +520,7 @@ TEST_CASE("A bounding surface that runs out of the cells: a refusal if their num
   CHECK(energy.value(BS::Energy_term::DISTANCE, Eigen::VectorXd(shell.field().coefficients() / w))
         == Approx(shell.report().fit.energy[std::size_t(BS::Energy_term::DISTANCE)]).epsilon(1e-9));
 
-  // the visitor may stop there, too
+  // The visitor can also cancel at this point.
   Step_recorder stopper;
   stopper.stop_at = 6;
   CHECK(CGAL::bspline_shell_3(mesh, P::resolution(10).visitor(std::ref(stopper))).status() == Status::CANCELED);
@@ -550,13 +551,14 @@ TEST_CASE("Refusals come with the places that are to blame")
 
 TEST_CASE("The distance to another mesh is a user's distance like any other")
 {
-  // the larger sphere's surface has cells that the smaller one's mesh does not enter: signs must come from the oracle
+  // The larger sphere meets cells that the mesh of the smaller one does not enter. Their signs must come from the
+  // oracle.
   const Mesh mesh = sphere(2, 1), larger = sphere(2, 1.25);
   BS::Input_mesh_3 input;
   REQUIRE(input.build<CGAL::Sequential_tag>(larger, get(CGAL::vertex_point, larger), {}) == Status::SUCCESS);
   const BS::Mesh_signed_distance_3 distance(input);
   BS::Energy_weights weights;
-  weights.mu = 1e-6; // all but interpolates the samples
+  weights.mu = 1e-6; // nearly interpolates the samples
   const Shell shell = CGAL::bspline_shell_3(
     mesh, P::resolution(10).energy_weights(weights).number_of_rings(4).allow_open_shell(true).signed_distance_oracle(
             std::cref(distance)));
@@ -630,7 +632,7 @@ TEST_CASE("The library prints nothing")
   const Mesh mesh = sphere(1);
   Mesh open = mesh;
   CGAL::Euler::remove_face(open.halfedge(*open.faces().begin()), open);
-  // the trap works
+  // The capture of output works.
   REQUIRE(printed_by([]() {
             std::cerr << "a" << std::flush;
             std::printf("b");

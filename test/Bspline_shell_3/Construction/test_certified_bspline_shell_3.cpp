@@ -1,4 +1,4 @@
-// certified_bspline_shell_3(): it ends certified, or says why not; thickness, thin parts, limits.
+// certified_bspline_shell_3(): the shell is certified, or the report has the reason. Thickness, thin parts, limits.
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
@@ -39,7 +39,7 @@ Mesh inside_out(Mesh mesh)
   return mesh;
 }
 
-// the width of the shell at a point of the mesh
+// Returns the width of the shell at a point of the mesh.
 double width_at(const Shell& shell, const Point_3& p)
 {
   return shell.outer_threshold().value(p) - shell.inner_threshold().value(p);
@@ -51,7 +51,7 @@ void check_certified(const Mesh& mesh, const Shell& shell)
   CHECK(shell.is_certified());
   CHECK(shell.report().refinement == Refinement_status::CERTIFIED);
   CHECK(shell.report().certificate.witnesses.empty());
-  // again, from what is kept
+  // Verify again, with the stored data.
   Certificate certificate(shell);
   CHECK(certificate.verify<CGAL::Sequential_tag>(mesh));
   REQUIRE(shell.proved_cover());
@@ -66,7 +66,7 @@ void check_certified(const Mesh& mesh, const Shell& shell)
   for(auto v : mesh.vertices()) CHECK(shell.bounded_side(mesh.point(v)) != CGAL::ON_UNBOUNDED_SIDE);
 }
 
-// a sheet in the plane z = 0, of triangles between circles around the origin
+// Returns a sheet in the plane z = 0, of triangles between circles around the origin.
 Mesh rings(const std::vector<double>& radii, int sectors)
 {
   Mesh mesh;
@@ -87,7 +87,7 @@ Mesh rings(const std::vector<double>& radii, int sectors)
   return mesh;
 }
 
-// a unit square in the plane z = 0, or part of it: n x n squares, each of two triangles
+// Returns a unit square in the plane z = 0, or a part of it, of n x n squares with two triangles each.
 template <typename Is_kept>
 Mesh squares(int n, const Is_kept& is_kept)
 {
@@ -113,7 +113,7 @@ TEST_CASE("certified shells: flat and symmetric meshes, axis-parallel and turned
 {
   const auto is_in_L = [](int i, int j) { return i < 5 || j < 5; };
   const std::pair<Mesh, double> meshes[] = { { rings({ 0.9, 0.925, 0.95, 0.975, 1. }, 80),
-                                               1 }, // its closing's 80 largest facets are alike, at a crease
+                                               1 }, // the 80 largest facets of its closing are alike, at a crease
                                              { rings({ 0.5, 1. }, 7), 1e6 },
                                              { squares(1, is_in_L), 1e-6 },
                                              { squares(10, is_in_L), 1 },
@@ -259,12 +259,12 @@ TEST_CASE("certified shells: limits end refinement with what there is")
   const double thin = 0.003;
   const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(thin).memory_limit(5e7));
   REQUIRE(shell);
-  CHECK(shell.relative_thickness() > thin); // not what was asked for, whether or not it is certified
+  CHECK(shell.relative_thickness() > thin); // less than requested was reached, certified or not
   CHECK(shell.report().refinement == Refinement_status::LIMIT_REACHED);
   CHECK(shell.report().rounds.size() == 1);
   CHECK(shell.report().certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED);
   CHECK(shell.is_certified() == shell.report().certificate.witnesses.empty());
-  // nothing is taken over from a shell that may have critical points
+  // The cover is stored only if the shell is proved to be free of critical points.
   CHECK(bool(shell.proved_cover()) == (shell.report().certificate.verdict(BS::Claim::GRADIENT) == BS::Verdict::PROVED));
   CHECK(shell.report().limit.cells > shell.report().cells);
   const BS::Refinement_limit memory = shell.report().limit;
@@ -285,11 +285,11 @@ TEST_CASE("certified shells: limits end refinement with what there is")
 
 TEST_CASE("certified shells: a sharp fin whose facets cannot all be as steep as they should be")
 {
-  // at the tip of a wing, facets at an angle of 16 degrees are some hundredths of a cell apart
+  // At the tip of a wing, facets at an angle of 16 degrees are a few hundredths of a cell apart.
   const Mesh mesh = demo_mesh("mech-holes-shark.off");
   const Shell shell = CGAL::certified_bspline_shell_3(mesh);
   CHECK(shell.is_certified());
-  // more rounds would only make cells smaller than the fin
+  // In further rounds, cells would only become smaller than the fin.
   CHECK(shell.report().rounds.size() <= 2);
 }
 
@@ -344,7 +344,7 @@ TEST_CASE("certified shells: senseless parameters, refusals and cancellation hav
   check(CGAL::certified_bspline_shell_3(mesh, parameters::thickness(10.)), "thickness", 10);
   check(CGAL::certified_bspline_shell_3(mesh, parameters::sizing([](const Point_3&) { return -0.5; })), "sizing", -0.5);
   CHECK(CGAL::certified_bspline_shell_3(Mesh()).status() == Status::EMPTY_MESH);
-  // a solver that returns zeros
+  // A solver that returns zeros.
   struct Zeros
   {
     BS::Solver_status compute(const Eigen::SparseMatrix<double>&, const BS::Unknown_blocks&)
@@ -368,7 +368,7 @@ TEST_CASE("certified shells: senseless parameters, refusals and cancellation hav
   CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::visitor(Canceling())).status() == Status::CANCELED);
 }
 
-// a sphere of latitudes and longitudes
+// Returns a sphere of latitudes and longitudes.
 Mesh globe(int latitudes, double x)
 {
   Mesh mesh;
@@ -396,7 +396,8 @@ TEST_CASE("certified shells: what is returned contains the mesh, wherever a limi
           "intersects itself",
           "[slow]")
 {
-  // limits after the first and the second round: the field of the latter was changed after it was bounded on the mesh
+  // Limits end refinement after the first or the second round. In the second round, the field was changed after it was
+  // bounded on the mesh.
   struct Case
   {
     Mesh mesh;

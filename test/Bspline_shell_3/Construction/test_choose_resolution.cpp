@@ -1,4 +1,4 @@
-// choose_resolution.h: shares of cells at known edges and folds, and what follows from them.
+// choose_resolution.h: shares of cells at known edges and folds, and the resolution that follows from them.
 #include <CGAL/Bspline_shell_3/Construction/choose_resolution.h>
 #include <CGAL/certified_bspline_shell_3.h>
 #include "test_meshes.h"
@@ -34,7 +34,7 @@ TEST_CASE("Resolution: a cube is bent in the cells at its edges, and folded in t
 {
   const Mesh cube = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   for(int n : { 4, 8, 32 }) {
-    // its faces are in the middle of cells, of which each edge enters n + 1
+    // Faces of the cube are in the middle of cells; each edge enters n + 1 cells.
     const double all = (n + 1) * (n + 1) * (n + 1) - (n - 1) * (n - 1) * (n - 1), at_edges = 12 * (n - 1),
                  at_corners = 8;
     const BS::Bend_shares s = shares(cube, 1. / n);

@@ -1,4 +1,4 @@
-// failing_facets.h: the facets that a field does not cross upwards, each with a place where it does not.
+// failing_facets.h: facets that a field does not cross upwards, each with a place where it fails to.
 #include <CGAL/Bspline_shell_3/Construction/failing_facets.h>
 #include "polynomial_fields.h"
 #include "test_meshes.h"
@@ -15,7 +15,7 @@ namespace BS = CGAL::Bspline_shells;
 
 namespace {
 
-// a sphere of radius 1/2, in a field whose gradient is (0, 0, 1 + 3 z^2)
+// A sphere of radius 1/2, in a field whose gradient is (0, 0, 1 + 3 z^2).
 struct In_rising_field
 {
   BS::Input_mesh_3 input;
@@ -46,7 +46,7 @@ TEST_CASE("Failing facets: those that face away from the gradient, and no others
   std::set<std::size_t> failing;
   for(const BS::Facet_failure& f : failures) {
     failing.insert(f.facet);
-    // the place is on the facet
+    // The place is on the facet.
     const auto t = problem.input.triangle(BS::Input_mesh_3::Face_index(f.facet));
     const Point_3 p(f.point[0], f.point[1], f.point[2]);
     CHECK(f.cell == problem.field.locate(p));

@@ -9,7 +9,7 @@ namespace BS = CGAL::Bspline_shells;
 TEST_CASE("Gap in a cell: the wall behind the mesh, the gap in front of it, or both, no more than is looked for, and "
           "nothing of other cells")
 {
-  // a plate 0.3 thick, and 0.2 above it one that is 0.1 thick, for y > 0
+  // A plate of thickness 0.3. For y > 0, there is a plate of thickness 0.1 above it, at a distance of 0.2.
   Mesh mesh = box(Point_3(-3, -3, 0.1), Point_3(3, 3, 0.4));
   mesh += box(Point_3(-3, 0, 0.6), Point_3(3, 3, 0.7));
   BS::Input_mesh_3 input;
@@ -25,15 +25,15 @@ TEST_CASE("Gap in a cell: the wall behind the mesh, the gap in front of it, or b
   const auto narrowest = [&](double y, double z, double most) {
     return BS::gap_in_cell(gap, clipped, cells.locate(Point_3(1.1, y, z)), most);
   };
-  // both sides of the lower plate
+  // lower plate only
   CHECK(in_cell(-1.2, 0.2, CGAL::NEGATIVE, 1) == Approx(0.3));
   CHECK(in_cell(-1.2, 0.2, CGAL::POSITIVE, 1) == 1);
   CHECK(narrowest(-1.2, 0.2, 1) == Approx(0.3));
-  // with the upper one above it
+  // lower plate, below the upper one
   CHECK(in_cell(1.2, 0.2, CGAL::NEGATIVE, 1) == Approx(0.3));
   CHECK(in_cell(1.2, 0.2, CGAL::POSITIVE, 1) == Approx(0.2));
   CHECK(narrowest(1.2, 0.2, 1) == Approx(0.2));
-  // the upper one
+  // upper plate
   CHECK(in_cell(1.2, 0.6, CGAL::NEGATIVE, 1) == Approx(0.1));
   CHECK(in_cell(1.2, 0.6, CGAL::POSITIVE, 1) == Approx(0.2));
   CHECK(narrowest(1.2, 0.6, 1) == Approx(0.1));

@@ -1,5 +1,4 @@
-// The shell of a mesh that was scaled, moved, turned or reversed is the scaled, moved, turned or reversed shell; and
-// it does not depend on threads or on the run.
+// If a mesh is scaled, moved, turned or reversed, so is its shell. The shell does not depend on threads, or on the run.
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Fit/Conjugate_gradient_solver.h>
@@ -19,7 +18,7 @@ namespace P = CGAL::Bspline_shells::parameters;
 typedef CGAL::Bspline_shell_3<> Shell;
 typedef std::function<Point_3(const Point_3&)> Map;
 
-// A lump without symmetry, whose coordinates are multiples of 2^-20: they can be moved far without rounding.
+// Returns an asymmetric body. Coordinates are multiples of 2^-20, so it can be moved far without rounding.
 Mesh lump()
 {
   Mesh mesh = sphere(2);
@@ -43,7 +42,8 @@ Map scaling(double s)
   return [s](const Point_3& p) { return Point_3(s * p.x(), s * p.y(), s * p.z()); };
 }
 
-// weights with which conjugate gradients get far: where the iteration stops must not be what is compared
+// Returns weights for which conjugate gradients converge well. Otherwise, the point where iterations stop would be
+// compared.
 CGAL::Bspline_shells::Energy_weights gentle_weights()
 {
   CGAL::Bspline_shells::Energy_weights weights;
@@ -62,7 +62,7 @@ Shell tight_shell(const Mesh& mesh, double spacing)
   return shell;
 }
 
-// points in the shell and around it
+// Returns points in and around the shell.
 std::vector<Point_3> probes(const Mesh& mesh, double offset)
 {
   std::vector<Point_3> points;
@@ -77,14 +77,14 @@ std::vector<Point_3> probes(const Mesh& mesh, double offset)
   return points;
 }
 
-// Whether `other` is `scale` times `shell` at the mapped points, to within `tolerance` (user units of `shell`).
+// Checks that `other` is `scale` times `shell` at the mapped points, up to `tolerance` (user units of `shell`).
 void check_same(const Shell& shell, const Shell& other, const std::vector<Point_3>& points, const Map& map,
                 double scale, double tolerance)
 {
   CHECK(other.report().surface_cells == shell.report().surface_cells);
   CHECK(other.report().cells == shell.report().cells);
   CHECK(other.report().unknowns == shell.report().unknowns);
-  // bounds of the mesh are refined up to 1e-7 of their range
+  // Bounds on the mesh are refined up to 1e-7 of their range.
   const double level_tolerance = tolerance + 2e-7 * shell.thickness();
   CHECK(std::abs(other.inner_level() / scale - shell.inner_level()) <= level_tolerance);
   CHECK(std::abs(other.outer_level() / scale - shell.outer_level()) <= level_tolerance);
@@ -94,10 +94,10 @@ void check_same(const Shell& shell, const Shell& other, const std::vector<Point_
   CHECK(worst <= tolerance);
 }
 
-constexpr double spacing = 0.5; // with few digits, so that the lattice is exact wherever the mesh is
+constexpr double spacing = 0.5; // few digits, so that the lattice is exact wherever the mesh is
 
-// The lattice and the quadrature turn with the mesh. Nothing differs but the order of sums: 1e-16, and the solver's
-// tolerance of 1e-12, times condition numbers of up to 1e5.
+// The lattice and the quadrature turn with the mesh. Only the order of sums differs (1e-16), and the solver has a
+// tolerance of 1e-12. Condition numbers, of up to 1e5, amplify these errors.
 constexpr double rounding = 1e-7 * spacing;
 
 } // namespace
@@ -129,8 +129,8 @@ TEST_CASE("Scaled by any number, a mesh has the same shell up to rounding")
   const Shell shell = tight_shell(mesh, spacing);
   for(double scale : { 1e-6, 1e6, 3. }) {
     CAPTURE(scale);
-    // The spacing is rounded to 20 bits, 1e-6 of a cell; over the three cells of half the box a lattice plane moves by
-    // 3e-6 of a cell, and the field, which is off by hundredths of a cell at the edges, by less than that.
+    // The spacing is rounded to 20 bits, 1e-6 of a cell. Half the box has three cells, so a lattice plane moves by up
+    // to 3e-6 of a cell. The field moves less: it is off by hundredths of a cell at the edges.
     const Shell other = tight_shell(mapped(mesh, scaling(scale)), scale * spacing);
     check_same(shell, other, points, scaling(scale), scale, 1e-5 * spacing);
   }
@@ -138,7 +138,7 @@ TEST_CASE("Scaled by any number, a mesh has the same shell up to rounding")
 
 TEST_CASE("Scaled by any number, a box has the same shell at every resolution", "[slow]")
 {
-  // At even resolutions all sides would lie in lattice planes, and after rounding on either side of them.
+  // At even resolutions, all sides would be in lattice planes, and rounding would move them to either side.
   const Mesh mesh = box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), oblong = box(Point_3(0, 0, 0), Point_3(1, 0.5, 0.25));
   for(const Mesh& m : { mesh, oblong })
     for(double resolution : { 8., 9., 10., 11. }) {
@@ -152,7 +152,7 @@ TEST_CASE("Scaled by any number, a box has the same shell at every resolution", 
         REQUIRE(other);
         CHECK(other.report().surface_cells == shell.report().surface_cells);
         CHECK(other.report().cells == shell.report().cells);
-        // the solver's tolerance, as in the case above
+        // The tolerance is that of the solver, as above.
         CHECK(std::abs(other.relative_thickness() - shell.relative_thickness()) < 1e-3 * shell.relative_thickness());
       }
     }
@@ -161,7 +161,8 @@ TEST_CASE("Scaled by any number, a box has the same shell at every resolution", 
 TEST_CASE("Far from the origin, a mesh has the same shell up to rounding")
 {
   Mesh mesh = lump();
-  // The lattice begins at the center of the box, rounded: far away, to fewer bits. Zero needs none.
+  // The lattice begins at the center of the box, which is rounded to fewer bits far from the origin. So the center is
+  // moved to the origin first.
   const CGAL::Bbox_3 b = CGAL::Polygon_mesh_processing::bbox(mesh);
   const Vector_3 center((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2);
   mesh = mapped(mesh, [&](const Point_3& p) { return p - center; });
@@ -172,9 +173,9 @@ TEST_CASE("Far from the origin, a mesh has the same shell up to rounding")
     const Map map = [distance](const Point_3& p) {
       return Point_3(p.x() + distance, p.y() - distance, p.z() + distance);
     };
-    // Every vertex and the spacing are kept exactly. What is computed from them is rounded to 2^-53 of the coordinates,
-    // and bounds allow for that: 9 times 64 eps times coordinates over width (level_bounds.h) times the range of the
-    // field on a cell, which is less than three cells. The solver's tolerance comes on top.
+    // Vertices and the spacing are exact. Computed values are rounded to 2^-53 of the coordinates. Bounds allow for 9 *
+    // 64 eps * coordinates / width (level_bounds.h), times the range of the field on a cell, which is less than three
+    // cells. The solver's tolerance is added.
     const double eps = std::ldexp(1., -52);
     const double tolerance = spacing * (1e-7 + 3 * 9 * 64 * eps * distance / spacing);
     check_same(shell, tight_shell(mapped(mesh, map), spacing), points, map, 1, tolerance);
@@ -205,12 +206,12 @@ TEST_CASE("Turned by right angles or mirrored, a mesh has the turned shell")
 
 TEST_CASE("Sides that lie in lattice planes are no exception")
 {
-  // Planes are at odd multiples of a quarter, off the ends of the whole: two bricks, of 4 x 5 x 5 cells each.
+  // Two bricks of 4 x 5 x 5 cells each. Their sides are in lattice planes, which are at odd multiples of 1/4.
   Mesh mesh = box(Point_3(-2.5, -1, -1), Point_3(-0.75, 1, 1));
   CGAL::copy_face_graph(box(Point_3(0.75, -1, -1), Point_3(2.5, 1, 1)), mesh);
   const std::vector<Point_3> points = probes(mesh, spacing / 2);
   const Shell shell = tight_shell(mesh, spacing);
-  REQUIRE(shell.report().surface_cells == 2 * (4 * 5 * 5 - 2 * 3 * 3)); // all but the inner ones
+  REQUIRE(shell.report().surface_cells == 2 * (4 * 5 * 5 - 2 * 3 * 3)); // all but the inner cells
   const Map turn = [](const Point_3& p) { return Point_3(-p.y(), p.x(), p.z()); };
   const Map mirror = [](const Point_3& p) { return Point_3(-p.x(), p.y(), p.z()); };
   check_same(shell, tight_shell(mapped(mesh, turn), spacing), points, turn, 1, rounding);
@@ -223,7 +224,7 @@ TEST_CASE("With its facets reversed, a mesh has the negative field")
 {
   Mesh mesh = lump();
   const std::vector<Point_3> points = probes(mesh, spacing / 2);
-  Mesh hole = mapped(mesh, scaling(0.25)); // so that the mesh is no ball, and a ball is not its inside-out
+  Mesh hole = mapped(mesh, scaling(0.25)); // makes the mesh differ from its inside-out mesh
   CGAL::Polygon_mesh_processing::reverse_face_orientations(hole);
   CGAL::copy_face_graph(hole, mesh);
   const Shell shell = tight_shell(mesh, spacing);
@@ -236,7 +237,7 @@ TEST_CASE("With its facets reversed, a mesh has the negative field")
   for(const Point_3& p : points)
     worst = (std::max)(worst, std::abs(reversed.field().value(p).value() + shell.field().value(p).value()));
   CHECK(worst < rounding);
-  CHECK(shell.thickness() > 1e-3 * spacing); // so that the levels above are not all the same
+  CHECK(shell.thickness() > 1e-3 * spacing); // otherwise all levels above would be equal
 }
 
 TEST_CASE("The shell is the same in every run and with any number of threads, to the last bit", "[slow]")

@@ -1,4 +1,5 @@
-// Bounds of a field on edges and facets: polynomials with known extrema, and fields sampled in exact arithmetic.
+// Bounds of a field on edges and facets: polynomials with known extrema, and fields that are sampled in exact
+// arithmetic.
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
@@ -23,7 +24,7 @@ typedef std::array<double, 10> Nonic;
 const double eps = std::numeric_limits<double>::epsilon();
 const double inf = std::numeric_limits<double>::infinity();
 
-// polynomials by their coefficients of 1, t, t^2, ...
+// A polynomial: its coefficients of 1, t, t^2, ...
 typedef std::vector<Rational> Polynomial;
 
 Rational value(const Polynomial& p, const Rational& t)
@@ -33,7 +34,7 @@ Rational value(const Polynomial& p, const Rational& t)
   return sum;
 }
 
-// the integral of the product of all (t - root)
+// Returns the integral of the product of all (t - root).
 Polynomial with_critical_points(const std::vector<Rational>& roots)
 {
   Polynomial p = { Rational(1) };
@@ -76,7 +77,7 @@ double largest(const Nonic& b)
   return m;
 }
 
-// a mesh, cells around it, and a field on these
+// A mesh, cells around it, and a field on these cells.
 struct Problem
 {
   BS::Input_mesh_3 input;
@@ -92,7 +93,7 @@ struct Problem
     clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, field.cells());
   }
 
-  // `coefficient` of the lattice point of a function
+  // Sets the field; `coefficient` is a function of the lattice point of a basis function.
   template <typename Function>
   void set(const Function& coefficient)
   {
@@ -100,7 +101,7 @@ struct Problem
     for(Eigen::Index n = 0; n < x.size(); ++n) x[n] = coefficient(field.functions().point(Field::Cell_index(n)));
     field.set_coefficients(x);
   }
-  // something like the distance to a sphere, and noise
+  // Sets the field close to the distance from a sphere, plus noise.
   void set_noisy_distance(const Point_3& center, double radius, double noise, int seed)
   {
     CGAL::Random random(seed);
@@ -128,17 +129,17 @@ TEST_CASE("extrema on an edge: polynomials with known critical points")
                                                       { r(1, 7), r(1, 2), r(9, 10) },
                                                       { r(1, 9), r(2, 9), r(3, 9), r(4, 9), r(5, 9), r(6, 9), r(7, 9),
                                                         r(8, 9) },
-                                                      { r(-1, 2), r(1, 2), r(3, 2) }, // some beyond the ends
-                                                      { r(-2, 1), r(5, 1), r(9, 1) }, // all
-                                                      { r(0, 1), r(1, 1) },           // at the ends
+                                                      { r(-1, 2), r(1, 2), r(3, 2) }, // some roots beyond the ends
+                                                      { r(-2, 1), r(5, 1), r(9, 1) }, // all roots beyond the ends
+                                                      { r(0, 1), r(1, 1) },           // roots at the ends
                                                       { r(1, 2), r(1, 2) },
-                                                      { r(1, 3), r(1, 3), r(3, 4) }, // double roots are no extrema
-                                                      { r(1, 2), r(1, 2), r(1, 2) }, // triple ones are
+                                                      { r(1, 3), r(1, 3), r(3, 4) }, // no extremum at a double root
+                                                      { r(1, 2), r(1, 2), r(1, 2) }, // extremum at a triple root
                                                       { r(1, 2), r(1, 2), r(1, 2), r(1, 2), r(1, 2), r(1, 2), r(1, 2) },
                                                       { r(1, 1000), r(999, 1000) },
                                                       { r(1, 2), r(501, 1000) },
                                                       { r(1, 3), r(10000, 1) },
-                                                      { r(1, 3), r(-10000000, 1) } }; // coefficients that nearly vanish
+                                                      { r(1, 3), r(-10000000, 1) } }; // some are nearly zero
   for(const std::vector<Rational>& roots : cases)
     for(double scale : { 1., -1., 1e-200, 1e200 })
       for(int constant : { 0, 100 }) {
@@ -155,7 +156,7 @@ TEST_CASE("extrema on an edge: polynomials with known critical points")
         }
         const Nonic b = bernstein(p);
         const Range range = BS::bernstein_range(b);
-        // coefficients and de Casteljau are rounded; a critical point that is off costs the square of that
+        // Coefficients and de Casteljau's algorithm are rounded. An error of a critical point has a quadratic effect.
         const double rounding = 32 * eps * largest(b);
         CAPTURE(roots.size(), scale, constant);
         CHECK(std::abs(range.min - CGAL::to_double(least)) <= rounding);
@@ -182,7 +183,7 @@ TEST_CASE("extrema on an edge: no sample is beyond, and they are attained")
       most = (std::max)(most, x);
     }
     const double rounding = 32 * eps * largest(b);
-    // second derivatives are at most 72 times second differences of coefficients, and these at most 4
+    // Second derivatives are at most 72 times the second differences of coefficients, which are at most 4.
     const double between = 72 * 4 / 8. / samples / samples + rounding;
     CHECK(range.min <= least + rounding);
     CHECK(range.max >= most - rounding);
@@ -228,7 +229,7 @@ TEST_CASE("bounds on facets: they enclose exact values of the spline all over ea
   CHECK(outside_facet == 0);
   CHECK(outside_mesh == 0);
 
-  // the extrema on the edges of the pieces are values on the mesh
+  // Extrema on the edges of pieces are values on the mesh.
   const Range edges = BS::edge_range<CGAL::Sequential_tag>(problem.field, problem.clipped);
   CHECK(edges.min >= ranges.mesh.min);
   CHECK(edges.max <= ranges.mesh.max);
@@ -247,8 +248,9 @@ TEST_CASE("bounds on facets: that of the mesh exceeds what the field attains by 
       for(int j = 0; i + j <= resolution; ++j)
         sampled.include(*problem.field.value(CGAL::barycenter(t[0], i, t[1], j, t[2], double(resolution - i - j))));
   }
-  // Samples are at most 0.01 from any point (sides of 0.62 in 60 parts), the extrema among them at most half of that
-  // squared times the second derivatives below theirs: 1 for the distance, 12 times the noise by the spacing's square.
+  // Samples are at most 0.01 from any point (sides of 0.62 in 60 parts). Sampled extrema differ from the true ones by
+  // at most half the square of that, times second derivatives. These are 1 for the distance, plus 12 times the noise
+  // over the squared spacing.
   const double between = 0.01 * 0.01 / 2 * (1 + 12 * 0.05 / 0.09);
   for(double tolerance : { 1e-1, 1e-2, 1e-4 }) {
     const Range mesh = BS::facet_ranges<CGAL::Sequential_tag>(problem.field, problem.clipped, tolerance).mesh;
@@ -259,7 +261,7 @@ TEST_CASE("bounds on facets: that of the mesh exceeds what the field attains by 
     CHECK(mesh.max >= sampled.max);
     CHECK(mesh.min <= sampled.min);
   }
-  // the edges of pieces come near to these extrema, but are no bound: samples inside of facets exceed them here
+  // Extrema on the edges of pieces are close to these, but are not bounds: samples inside facets exceed them.
   const Range edges = BS::edge_range<CGAL::Sequential_tag>(problem.field, problem.clipped);
   CHECK(edges.max - edges.min > 0.5 * (sampled.max - sampled.min));
   CHECK((sampled.max > edges.max || sampled.min < edges.min));
@@ -267,13 +269,14 @@ TEST_CASE("bounds on facets: that of the mesh exceeds what the field attains by 
 
 TEST_CASE("bounds on facets: they see a peak that lies between the edges")
 {
-  // -(u - 1/2)^2 - (v - 1/4)^2 in units of the lattice, on a box whose top and bottom have the peak inside of a piece
+  // -(u - 1/2)^2 - (v - 1/4)^2 in units of the lattice. On the top and bottom of a box, the peak is inside a piece.
   Problem problem(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), BS::Lattice_3(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5));
   problem.set([](const BS::Lattice_3::Point& g) {
     const double u = g[0], v = g[1];
     return -(u * u - 1 / 3. - u + 0.25) - (v * v - 1 / 3. - v / 2 + 0.0625);
   });
-  // the nearest edges: those of lattice planes at a distance of 1/4, and a side's diagonal, if it runs that way
+  // the closest edges: those of lattice planes at a distance of 1/4, and the diagonal of a side, depending on its
+  // direction
   double expected = -1 / 16.;
   for(auto e : problem.input.mesh().edges()) {
     const Vector_3 d = problem.input.mesh().point(problem.input.mesh().vertex(e, 0))
@@ -327,7 +330,7 @@ TEST_CASE("bounds on facets: of a linear field they are its values at the vertic
     const std::array<double, 3> p = problem.field.cells().lattice().corner(g);
     return d * Vector_3(p[0], p[1], p[2]);
   });
-  // the allowances of Piece_in_cell and Form_error for values up to 10 that vary by 2 in a cell; coordinates of 4
+  // allowances of Piece_in_cell and Form_error: values are up to 10, and vary by 2 in a cell; coordinates are up to 4
   // spacings
   const double allowance = eps * (57 * 10 + 9 * 2 * (64 * 5 + 32));
   const BS::Facet_ranges ranges = BS::facet_ranges<CGAL::Sequential_tag>(problem.field, problem.clipped);
@@ -350,7 +353,8 @@ TEST_CASE("bounds on facets: of a linear field they are its values at the vertic
 
 TEST_CASE("bounds on facets: the allowance for rounding is needed, and is enough")
 {
-  // far from the origin, a linear field: coefficients of the form are values, with no slack between them and the field
+  // The field is linear, far from the origin. Coefficients of the form are values of the field, so there is no slack
+  // between them.
   const Point_3 center(1e6, -1e6, 1234.5);
   Problem problem(sphere(2, 1, center), BS::Lattice_3(around(center), 0.3));
   problem.set([&](const BS::Lattice_3::Point& g) { return g[0] + 0.7 * g[1] - 0.3 * g[2] + 100.1; });
@@ -429,7 +433,7 @@ TEST_CASE("rounding of thresholds: never inwards, and no further than to the nex
     check(m, m, quantum);
     check(std::nextafter(m, -inf), std::nextafter(m, inf), quantum);
   }
-  // a quantum below the last bit, one so small that the multiple overflows, and a huge one
+  // a quantum below the last bit, quanta so small that the multiple overflows, and huge ones
   for(double quantum : { 1e-18, 1e-300, 1e-310, 5e-324, 1e10, 1e300 })
     for(double x : { 1., -1., 0.1, -0.1, 1e300, -1e300, 1e-300, 0. }) check(x, x, quantum);
 }

@@ -1,4 +1,4 @@
-// The shell of a mesh does not depend on the types that the mesh is made of, nor on the order of named parameters.
+// The shell of a mesh does not depend on the type of the mesh, or on the order of named parameters.
 #include "test_meshes.h"
 
 #include <CGAL/bspline_shell_3.h>
@@ -25,7 +25,8 @@ typedef CGAL::Exact_predicates_exact_constructions_kernel Epeck;
 typedef CGAL::Simple_cartesian<double> Plain;
 typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
 
-// Quadrangles and triangles. A copy may begin a facet at another corner, which changes rounding: all are copies.
+// Returns a mesh of quadrangles and triangles. A copied facet may begin at another corner, which changes rounding, so
+// all meshes are copies.
 template <typename FaceGraph>
 FaceGraph mixed_mesh()
 {
@@ -42,7 +43,7 @@ void check_identical(const Shell& a, const Shell& b)
   CHECK(a.inner_level() == b.inner_level());
   CHECK(a.outer_level() == b.outer_level());
   REQUIRE(a.field().number_of_coefficients() == b.field().number_of_coefficients());
-  CHECK((a.field().coefficients() == b.field().coefficients())); // not to be printed
+  CHECK((a.field().coefficients() == b.field().coefficients())); // failures do not print the vectors
   REQUIRE(a.facet_ranges().size() == b.facet_ranges().size());
   bool same = true;
   for(std::size_t n = 0; n < a.facet_ranges().size(); ++n)
@@ -123,7 +124,7 @@ TEST_CASE("Polyhedron_3: refusals name positions in its ranges")
 TEST_CASE("Numbers that are evaluated lazily count for what they are, however they came about")
 {
   typedef CGAL::Surface_mesh<Epeck::Point_3> Exact_mesh;
-  // Zero, but the interval around it is wide and lopsided: a third, times a large number, minus the same, squared.
+  // Zero, as the square of (1/3 * large - 1/3 * large). The interval around it is wide and asymmetric.
   const auto third = []() { return Epeck::FT(1) / Epeck::FT(3); };
   const Epeck::FT large(std::ldexp(1., 42));
   Exact_mesh lazy = mixed_mesh<Exact_mesh>();
@@ -142,7 +143,7 @@ TEST_CASE("The vertex point map is honored, first or last in the parameters, our
   std::unordered_map<Mesh::Vertex_index, Point_3> points;
   for(auto v : mesh.vertices()) {
     points[v] = mesh.point(v);
-    mesh.point(v) = Point_3(0, 0, 0); // of no use without the map
+    mesh.point(v) = Point_3(0, 0, 0); // useless without the map
   }
   REQUIRE(CGAL::bspline_shell_3<Tag>(mesh, P::resolution(10)).status() == BS::Shell_status::DEGENERATE_FACET);
   const auto vpm = boost::make_assoc_property_map(points);

@@ -1,4 +1,4 @@
-// plan_refinement.h: which cells are refined for what was found in a round.
+// plan_refinement.h: which cells are refined, given the results of a round.
 #include <CGAL/Bspline_shell_3/Construction/plan_refinement.h>
 #include "random_hierarchies.h"
 
@@ -21,7 +21,7 @@ typedef std::vector<Index> Cells;
 
 constexpr std::size_t cells_at_mesh = 1000;
 
-// a block of 7 x 7 x 7 cells of the same size
+// Returns a block of 7 x 7 x 7 cells of the same size.
 Hierarchy block()
 {
   CGAL::Random random(1);
@@ -46,7 +46,7 @@ BS::Refinement_plan plan_for(const Hierarchy& cells, const BS::Round_findings& f
   return BS::plan_refinement(cells, found, cells_at_mesh, BS::Refinement_tuning());
 }
 
-// of cells with up to so many different coordinates, next to the middle
+// Returns the number of cells that differ from the middle one by at most one in up to `axes` coordinates.
 std::size_t number_of_neighbors(int axes)
 {
   return axes == 0 ? 1 : axes == 1 ? 7 : 27;
@@ -77,7 +77,7 @@ TEST_CASE("Refinement plan: cells are refined with their neighbors where slopes 
   SECTION("few thick")
   {
     found.thick = { middle };
-    found.thick_at_first = { other }; // mended
+    found.thick_at_first = { other }; // was corrected
     CHECK(plan_for(cells, found).split.size() == number_of_neighbors(3));
   }
   SECTION("many thick, with those that are nearly so")

@@ -1,4 +1,4 @@
-// refine_at_gaps.h: cells become nearly as narrow as the gap where they are asked to, and only there.
+// refine_at_gaps.h: requested cells are refined until they are nearly as narrow as the gap, and no others.
 #include <CGAL/Bspline_shell_3/Construction/refine_at_gaps.h>
 #include "test_meshes.h"
 
@@ -55,18 +55,18 @@ TEST_CASE("Refinement at gaps: cells are split until they are no wider than four
       const Index middle = cells.locate(Point_3(4.5, 4.5, 1.5)), empty = cells.locate(Point_3(4.5, 4.5, 0.5));
       const Hierarchy fine = BS::refine_at_gaps<CGAL::Sequential_tag>(cells, { middle }, 1, { middle }, halvings, gap,
                                                                       clipped, no_limit);
-      const int wanted = thickness == 0.3 ? 1 : thickness == 0.1 ? 2 : 5; // halvings of one
+      const int wanted = thickness == 0.3 ? 1 : thickness == 0.1 ? 2 : 5; // halvings of a cell of width one
       std::size_t wrong = 0;
       const int expected = (std::min)(halvings, wanted);
       for(double x : { 4.01, 4.3, 4.99 })
         for(double z : { 1.01, 1.6, 1.99 }) wrong += fine.level(fine.locate(Point_3(x, 4.5, z))) != expected;
       CHECK(wrong == 0);
       CHECK(fine.number_of_levels() == expected + 1);
-      // an obstacle without a part of the mesh is split once, and so is what is only marked
+      // An obstacle in a cell without a part of the mesh is split once, and so is a cell that is only marked.
       const Hierarchy once = BS::refine_at_gaps<CGAL::Sequential_tag>(cells, { middle, empty }, 1, { empty }, halvings,
                                                                       gap, clipped, no_limit);
       CHECK(are_equal(once, cells.refined({ middle, empty }, 1)));
-      // a limit ends it after what was marked
+      // A limit ends refinement after the marked cells.
       const auto is_too_many = [&](std::size_t size) { return size > cells.refined({ middle }, 1).number_of_cells(); };
       CHECK(are_equal(
         BS::refine_at_gaps<CGAL::Sequential_tag>(cells, { middle }, 1, { middle }, halvings, gap, clipped, is_too_many),

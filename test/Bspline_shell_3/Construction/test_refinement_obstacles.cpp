@@ -1,5 +1,4 @@
-// refinement_obstacles.h: walls and gaps at the places that are in the way, narrowest first; and what a report says of
-// them.
+// refinement_obstacles.h: walls and gaps at places that block a proof, narrowest first, and messages about them.
 #include <CGAL/Bspline_shell_3/Construction/refinement_obstacles.h>
 #include "random_hierarchies.h"
 #include "test_meshes.h"
@@ -24,7 +23,7 @@ typedef Hierarchy::Index Index;
 
 TEST_CASE("Obstacles: the narrower one of wall and gap, if it is not far wider than the cell, the narrowest first")
 {
-  // a plate 0.3 thick at z = 1, and 0.2 above it one that is 0.6 thick, for y > 0
+  // A plate of thickness 0.3 at z = 1. For y > 0, there is a plate of thickness 0.6 above it, at a distance of 0.2.
   Mesh mesh = box(Point_3(-3, -3, 1), Point_3(3, 3, 1.3));
   mesh += box(Point_3(-3, 0, 1.5), Point_3(3, 3, 2.1));
   BS::Input_mesh_3 input;
@@ -44,7 +43,7 @@ TEST_CASE("Obstacles: the narrower one of wall and gap, if it is not far wider t
   add(0.1, -1.1, 1.05); // a wall
   add(0.1, 1.1, 1.3);   // the gap
   add(0.1, 1.1, 2.1);   // a wall
-  add(0.1, 1.1, 3.1);   // nothing
+  add(0.1, 1.1, 3.1);   // neither
   const std::vector<BS::Refinement_obstacle> found = BS::refinement_obstacles<CGAL::Sequential_tag>(cells, clipped, gap,
                                                                                                     places);
   REQUIRE(found.size() == 4);
@@ -60,7 +59,7 @@ TEST_CASE("Obstacles: the narrower one of wall and gap, if it is not far wider t
   CHECK(std::equal(same.begin(), same.end(), found.begin(),
                    [](const auto& a, const auto& b) { return a.point == b.point && a.gap == b.gap; }));
 
-  // far wider than small cells
+  // The wall is far wider than these small cells.
   const Hierarchy small = cells_of_width(0.125);
   const BS::Clipped_mesh_3 in_small = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, small);
   const std::map<Index, std::array<double, 3> > one = { { small.locate(Point_3(0.1, 1.1, 2.1)), { 0.1, 1.1, 2.1 } } };
@@ -90,7 +89,7 @@ TEST_CASE(
   CHECK(sentence.find("A wall of 0.2 % of the box at ") == 0);
   CHECK(sentence.find("they may have to be as small as 0.1 %.") != std::string::npos);
 
-  // a certified shell has none
+  // A certified shell has no obstacles.
   const auto proved = CGAL::certified_bspline_shell_3(sphere(2), parameters::resolution(10.));
   REQUIRE(proved.is_certified());
   CHECK(proved.report().obstacles.empty());

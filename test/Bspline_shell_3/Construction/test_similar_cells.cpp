@@ -1,4 +1,4 @@
-// similar_cells.h: beside a search through all cells, again and again, from each of the given ones.
+// similar_cells.h: results are compared with repeated searches through all cells, from each given cell.
 #include <CGAL/Bspline_shell_3/Construction/similar_cells.h>
 #include "random_hierarchies.h"
 
@@ -66,7 +66,7 @@ TEST_CASE("Similar cells: those that are reached from a given one through cells 
       2, 2);
     Ranges ranges(cells.number_of_cells());
     for(BS::Level_range& r : ranges)
-      if(random.get_double() < 0.7) r.include(random.get_double(-1, 1)); // others have no part of the mesh
+      if(random.get_double() < 0.7) r.include(random.get_double(-1, 1)); // the other cells have no part of the mesh
     std::vector<Index> given;
     for(Index c = 0; c < ranges.size(); ++c)
       if(largest(ranges[c]) > 0 && random.get_double() < 0.05) given.push_back(c);

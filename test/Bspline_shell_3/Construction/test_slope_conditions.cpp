@@ -1,5 +1,5 @@
-// slope_conditions.h: slopes that vertices allow, points on the mesh in each cell, and directions that facets have in
-// common.
+// slope_conditions.h: slopes that are possible at vertices, points on the mesh in each cell, and common directions of
+// facets.
 #include <CGAL/Bspline_shell_3/Construction/slope_conditions.h>
 #include "random_hierarchies.h"
 #include "test_meshes.h"
@@ -30,7 +30,7 @@ struct In_cells
   Field field;
   BS::Clipped_mesh_3 clipped;
 
-  // in cells of a width, which is a power of two, between -4 and 4
+  // Clips a mesh to cells between -4 and 4. Their width is a power of two.
   In_cells(const Mesh& mesh, double width = 0.5)
   {
     BS::Input_mesh_3::Tolerated_defects tolerated;
@@ -75,7 +75,7 @@ TEST_CASE(
   const std::vector<double> slopes = BS::wanted_slopes<Tag>(round.input, 0.2);
   CHECK(*std::min_element(slopes.begin(), slopes.end()) > 0.19);
   CHECK(slopes == BS::wanted_slopes<CGAL::Parallel_if_available_tag>(round.input, 0.2));
-  // one vertex without a common direction: the facets around it, and no others
+  // At one vertex, facets have no common direction. The slopes of these facets are zero, and no others.
   const In_cells turning(screw());
   const std::vector<double> around = BS::wanted_slopes<Tag>(turning.input, 0.2);
   std::size_t zero = 0;
@@ -126,7 +126,7 @@ TEST_CASE("Slope conditions: in every cell with a part of the mesh, on that part
       if(n.second > most) most = n.second;
       most_pieces = (std::max)(most_pieces, pieces[n.first]);
     }
-    // where there are many pieces, evenly spread ones, wherever work is divided between threads
+    // In cells with many pieces, conditions are evenly spread, however work is divided between threads.
     std::map<Index, std::size_t> all_pieces;
     for(const auto& piece : in.clipped.pieces()) ++all_pieces[piece.cell];
     for(const auto& n : in_cell) {
@@ -142,7 +142,7 @@ TEST_CASE("Slope conditions: in every cell with a part of the mesh, on that part
     CHECK(most <= 48 * (subdivisions < 6 ? 8 : 1));
     CHECK((most_pieces > 48) == (subdivisions == 6));
   }
-  // only where they are asked for
+  // Conditions are returned for the requested cells only.
   const In_cells in(sphere(2));
   const std::vector<double> wanted = BS::wanted_slopes<Tag>(in.input, 0.2);
   const Index c = in.clipped.pieces().front().cell;
@@ -168,11 +168,11 @@ TEST_CASE("Slope conditions: beside a side of a box its normal is the common dir
   CHECK(edge->direction[1] == Approx(std::sqrt(0.5)));
   CHECK(edge->direction[2] == Approx(std::sqrt(0.5)));
   CHECK(edge->least == Approx(0.2 * std::sqrt(0.5)));
-  // farther from the mesh than it looks
+  // The mesh is farther away than the search distance.
   CHECK_FALSE(in.common({ 0, 0, 0 }, 0.1));
   const In_cells plate(box(Point_3(-3, -3, -0.1), Point_3(3, 3, 0.1)));
   CHECK_FALSE(plate.common({ 0.3, 0.2, 0 }, 0.1));
-  // but near one of its sides, within less than it is thick, there is
+  // Near one side of the plate, within less than its thickness, there is a common direction.
   const auto near_side = plate.common({ 0.3, 0.2, 0.15 }, 0.05);
   REQUIRE(near_side);
   CHECK(near_side->direction[2] == Approx(1));

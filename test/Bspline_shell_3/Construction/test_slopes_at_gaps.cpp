@@ -1,4 +1,4 @@
-// slopes_at_gaps.h: what a field on cells wider than a wall can be asked for, beside a field that attains it.
+// slopes_at_gaps.h: slopes that a field can have on cells wider than a wall, compared with a field that attains them.
 #include <CGAL/Bspline_shell_3/Construction/slopes_at_gaps.h>
 #include "random_hierarchies.h"
 #include "test_meshes.h"
@@ -42,8 +42,8 @@ TEST_CASE("Slopes at gaps: a quarter of that of a parabola across the wall, whic
       if(thickness < width) CHECK(slopes[0] == Approx(thickness / width / 4));
       else CHECK(slopes[0] == std::numeric_limits<double>::infinity());
 
-      // (z - low) (z - high) / width: coefficients of a quadratic polynomial are its values at the nodes, less width^2
-      // / 3 times its leading coefficient
+      // The field is (z - low) (z - high) / width. The coefficients of a quadratic polynomial are its values at the
+      // nodes minus width^2 / 3 times its leading coefficient.
       Field field(cells);
       std::vector<double> coefficients(field.number_of_coefficients());
       for(Index u = 0; u < coefficients.size(); ++u) {

@@ -1,5 +1,5 @@
-// thickness_on_mesh.h: the widest place, and the share of the area that is narrower than asked for, against a sum over
-// cells.
+// thickness_on_mesh.h: the largest thickness, and the share of the area where the shell is thinner than requested,
+// compared with a sum over cells.
 #include <CGAL/Bspline_shell_3/Construction/thickness_on_mesh.h>
 #include "random_hierarchies.h"
 #include "test_meshes.h"
@@ -46,7 +46,7 @@ TEST_CASE("Thickness on a mesh: all of it as asked for, or narrower in the cells
   const Field inner = thresholds.threshold<Tag>(CGAL::NEGATIVE), outer = thresholds.threshold<Tag>(CGAL::POSITIVE);
   double area = 0, narrow = 0;
   for(const auto& piece : clipped.pieces()) {
-    double least = 1; // of the coefficients in the cell; both are sums of functions that add up to one
+    double least = 1; // the least difference of coefficients; both thresholds are sums of functions that add up to one
     for(int n = 0; n < 64; ++n)
       least = (std::min)(least, outer.cell(piece.cell).coefficients()[n] - inner.cell(piece.cell).coefficients()[n]);
     area += clipped.area(piece);

@@ -1,4 +1,5 @@
-// certified_bspline_shell_3() where meshes are thin, gaps narrow and fans folded: thresholds give way, and it ends.
+// certified_bspline_shell_3() where meshes are thin, gaps narrow, and fans folded: thresholds give way, and refinement
+// ends.
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
@@ -25,7 +26,7 @@ typedef Field::Cell_index Index;
 using BS::Claim;
 using BS::Verdict;
 
-// the width of the shell at a point of the mesh
+// Returns the width of the shell at a point of the mesh.
 double width_at(const Shell& shell, const Point_3& p)
 {
   return shell.outer_threshold().value(p) - shell.inner_threshold().value(p);
@@ -44,8 +45,7 @@ void check_certified(const Mesh& mesh, const Shell& shell)
   CHECK(certificate.verify<CGAL::Sequential_tag>(mesh));
 }
 
-// A sphere, one vertex of which is drawn over an edge of its link, so far that the facets there have no more than this
-// margin in common.
+// Returns a sphere with one vertex moved over an edge of its link, just so far that the least cone margin is `margin`.
 Mesh folded(double margin, Mesh::Vertex_index& vertex)
 {
   const Mesh ball = sphere(2);
@@ -88,14 +88,14 @@ TEST_CASE("Thin parts: at a neck the inner threshold stays off its axis, at the 
       const double width = width_at(shell, p);
       CHECK(width > 0);
       CHECK(width <= thickness * (1 + 1e-9));
-      // the inside gives way, not the outside
+      // Only the inner threshold gives way.
       if(std::abs(p.x()) < 0.4) {
         CHECK(-shell.inner_threshold().value(p) < radius);
         CHECK(shell.outer_threshold().value(p) > radius);
       }
       if(std::abs(p.x()) > 2) CHECK(width == Approx(thickness).epsilon(1e-6));
     }
-    // the axis of the neck is beyond the inner threshold
+    // The axis of the neck is beyond the inner threshold.
     for(double x : { -0.3, 0., 0.3 }) CHECK(is_outside(shell, Point_3(x, 0, 0)));
     CHECK(shell.thickness() == Approx(thickness).epsilon(1e-6));
     CHECK(shell.report().narrowed_area > 0);
@@ -117,11 +117,11 @@ TEST_CASE("Thin parts: between two plates the middle of the gap is not in the sh
       CHECK(is_outside(shell, middle));
       CHECK(shell.field().value(middle).value() > shell.outer_threshold().value(middle));
       CHECK_FALSE(is_outside(shell, Point_3(x, 0.5, 0.3)));
-      // narrower the narrower the gap
+      // The narrower the gap, the narrower the shell.
       const double outer = shell.outer_threshold().value(Point_3(x, 0.5, 0.3));
       CHECK(outer < gap / 2);
     }
-    // far away as wide as asked for
+    // Far away, the width is as requested.
     CHECK(width_at(shell, Point_3(0, 0, 0)) == Approx(thickness).epsilon(1e-6));
     const double narrow = width_at(shell, Point_3(0.5, 0.5, 0.3));
     CHECK(narrow < last);
@@ -148,8 +148,8 @@ TEST_CASE("Thin parts: a threshold steeper than the field is not accepted, and t
   const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(0.05).resolution(60));
   check_certified(mesh, shell);
   const Field& field = shell.field();
-  // the function whose center is best placed for a bump that hangs over the outer boundary: one and a half of its cells
-  // beyond
+  // Find the basis function that is best placed for a bump that hangs over the outer boundary: its center is one and a
+  // half of its cells beyond.
   const double level = shell.outer_threshold().value(Point_3(0, 0.6, 0.8));
   Index bump = Field::npos;
   double width = 0, nearest = std::numeric_limits<double>::infinity();
@@ -179,7 +179,7 @@ TEST_CASE("Thin parts: a threshold steeper than the field is not accepted, and t
     outer.set_coefficients(x);
     Certificate certificate(field, shell.inner_threshold(), Threshold(outer));
     certificate.verify<CGAL::Sequential_tag>(mesh);
-    // the steepest slope of the threshold against that of the field, where they meet: the field must outrun it
+    // Compare the steepest slope of the threshold with that of the field, where they meet: the field must be steeper.
     double least = 1;
     for(int i = -40; i <= 40; ++i)
       for(int j = -40; j <= 40; ++j) {

@@ -1,4 +1,5 @@
-// Limits of time, and visitors that cancel: a run gives the result that it gives without them, or none, and says why.
+// Time limits, and visitors that cancel. A run that is not ended gives the result of a run without them; otherwise
+// there is no result, and the status has the reason.
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
@@ -30,7 +31,7 @@ namespace {
 
 constexpr double long_time = 1e6, no_time = 1e-9;
 
-// stops at the n-th poll
+// Cancels at the n-th poll.
 struct Impatient_visitor
 {
   std::size_t most = std::size_t(-1), polls = 0;
@@ -49,7 +50,7 @@ struct Impatient_visitor
   }
 };
 
-// the first and the last of the polls of a run, and some between, the more sparse the later
+// Calls f for the first and the last poll of a run, and for some between them, at increasing distances.
 template <typename Function>
 void sweep(std::size_t polls, const Function& f)
 {
@@ -58,7 +59,7 @@ void sweep(std::size_t polls, const Function& f)
   f(polls);
 }
 
-// a shell of several rounds
+// Returns a mesh whose shell takes several rounds.
 Mesh wall()
 {
   return box(Point_3(0, 0, 0), Point_3(1, 1, 0.03));
@@ -79,7 +80,7 @@ BS::Polygon_soup soup_of(const Mesh& mesh)
   return soup;
 }
 
-// three facets at an edge: no mesh, which gets a proxy
+// Returns three facets at a common edge. They are not a mesh, so a proxy is built.
 BS::Polygon_soup fan()
 {
   BS::Polygon_soup soup;
@@ -144,7 +145,7 @@ TEST_CASE("Cancel: a shell can be canceled at any poll of any step, with nothing
 TEST_CASE("Cancel: shells on equal cells, and shells that several threads build, can be canceled within a step")
 {
   const Mesh mesh = sphere(2);
-  // each step begins with a poll of the calling thread; how many more there are depends on the other threads
+  // Each step begins with a poll of the calling thread. The number of further polls depends on the other threads.
   for(std::size_t n : { 1, 4 }) {
     Impatient_visitor impatient;
     impatient.most = n;
@@ -174,7 +175,7 @@ TEST_CASE("Limits of time: proxies are the same with a limit that is not reached
   CHECK(late.message() == std::string(message(Status::TIME_LIMIT_EXCEEDED)));
   CHECK(CGAL::certified_soup_proxy_3(soup.points, soup.polygons, parameters::time_limit(no_time)).status()
         == Status::TIME_LIMIT_EXCEEDED);
-  // a mesh that would get a shell itself gets no proxy instead
+  // A mesh that could have a shell itself does not get a proxy instead.
   CHECK(CGAL::certified_shell_of_soup_3(soup_of(wall()), parameters::time_limit(no_time)).proxy_status
         == Status::NOT_BUILT);
 }
@@ -215,7 +216,7 @@ TEST_CASE("Limits of time: an edit that is ended at any poll leaves the mesh as 
     CHECK(are_equal(mesh, before));
     CHECK(edit(mesh, remeshes, 0) == BS::Edit_status::INVALID_PARAMETER);
     CHECK(are_equal(mesh, before));
-    // limits that are reached after a number of polls
+    // Limits are reached after a number of polls.
     std::size_t polls = 0, most = std::size_t(-1);
     BS::internal::Run run(long_time, [&] { return ++polls < most; });
     {

@@ -1,4 +1,4 @@
-// Meshes with facets that are not in the shell, and what edits of such meshes promise.
+// Meshes with facets that are not in the shell, and checks of edits of such meshes.
 #ifndef FROZEN_FACETS_H
 #define FROZEN_FACETS_H
 
@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
-// A sphere of slices, in so many turns: its triangles get the thinner, the nearer the poles, which are the first two
-// vertices. With two turns, it is a sphere that covers another one twice: every facet faces outwards, and the fans at
-// the poles wind twice.
+// Returns a sphere of slices around its axis, in `turns` turns. Triangles are thinner closer to the poles, which are
+// the first two vertices. With two turns, the sphere is covered twice: all facets face outwards, but the fans at the
+// poles wind twice.
 inline Mesh sliced_sphere(int slices, int rings, int turns = 1)
 {
   Mesh mesh;
@@ -46,8 +46,8 @@ inline std::array<Point_3, 3> corners(const Mesh& mesh, Mesh::Face_index f)
   return { { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) } };
 }
 
-// What is promised of a mesh with frozen facets, by an oracle of its own: these are what they were, all others are
-// accepted, and so are the fans without one of them.
+// Checks the guarantees for a mesh with frozen facets, with a separate oracle. Frozen facets are unchanged, all other
+// facets are accepted, and so are all fans without a frozen facet.
 template <typename Shell>
 void check_frozen_result(const CGAL::Bspline_shells::Edit_report& report, const Shell& shell, const Mesh& before,
                          const Mesh& mesh)

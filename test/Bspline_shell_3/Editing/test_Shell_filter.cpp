@@ -1,5 +1,5 @@
-// Shell_filter.h, Shell_facet_oracle_3.h, Collapse_visitor.h: what leaves the shell, faces away or winds twice is
-// rejected, for that reason, and what is accepted is proved.
+// Shell_filter.h, Shell_facet_oracle_3.h, Collapse_visitor.h: placements that leave the shell, face away or wind twice
+// are rejected for that reason. Accepted placements are proved.
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Editing/Collapse_visitor.h>
@@ -34,14 +34,14 @@ using BS::Placement_verdict;
 typedef CGAL::Bspline_shell_3<> Shell;
 typedef BS::Shell_facet_oracle_3<> Oracle;
 
-// as tight as it can be around its mesh
+// Returns the thinnest possible shell around its mesh.
 const Shell& tight_shell()
 {
   static const Shell shell = CGAL::bspline_shell_3(sphere(1), P::resolution(12));
   return shell;
 }
 
-// with room around it
+// Returns a shell with room around its mesh.
 const Shell& shell()
 {
   static const Shell shell(tight_shell().field(),
@@ -69,11 +69,11 @@ Placement_verdict judge(const Point_3& p, const std::vector<Point_3>& link)
 {
   Oracle::Memory memory;
   const Placement_verdict verdict = oracle()(p, link, memory);
-  CHECK(oracle()(p, link, memory) == verdict); // it does not depend on what is remembered
+  CHECK(oracle()(p, link, memory) == verdict); // the verdict does not depend on the cache
   return verdict;
 }
 
-// the points about the north pole of the unit sphere that come in a given order
+// Returns points around the north pole of the unit sphere, in the given order.
 std::vector<Point_3> polar_link(std::initializer_list<int> order, double radius)
 {
   std::vector<Point_3> link;
@@ -94,7 +94,8 @@ struct Edge_count_stop
   }
 };
 
-// Collapses edges to their middles, shortest first, under a filter, to n edges.
+// Collapses edges to their midpoints, shortest first, until fewer than `edges` edges are left. A filter can reject
+// collapses.
 template <typename Filter, typename Visitor = BS::Silent_collapse_visitor>
 int collapse(Mesh& mesh, std::size_t edges, const Filter& filter, Visitor visitor = Visitor())
 {
@@ -141,7 +142,7 @@ TEST_CASE("Oracle: a fan whose facets all face along the gradient, but which win
   const Point_3 pole(0, 0, 1);
   CHECK(judge(pole, polar_link({ 0, 1, 2, 3, 4 }, 0.3)) == Placement_verdict::ACCEPTED);
   CHECK(judge(pole, polar_link({ 0, 2, 4, 1, 3 }, 0.3)) == Placement_verdict::WINDS_TWICE);
-  // each of its facets alone is as good as any other
+  // Each facet alone is accepted.
   const std::vector<Point_3> star = polar_link({ 0, 2, 4, 1, 3 }, 0.3);
   for(std::size_t n = 0; n < star.size(); ++n)
     CHECK(oracle()(pole, star[n], star[(n + 1) % 5]) == Placement_verdict::ACCEPTED);
@@ -150,7 +151,7 @@ TEST_CASE("Oracle: a fan whose facets all face along the gradient, but which win
 
 TEST_CASE("Oracle: facets between the thresholds, but in cells that are none of the shell's, leave the shell")
 {
-  // where the shell may be, as far as its cells tell: not below
+  // By its cells, the shell cannot extend to the lower part.
   std::vector<char> cells(shell().field().number_of_cells());
   for(std::size_t c = 0; c < cells.size(); ++c)
     cells[c] = shell().field().cell(Shell::Field::Cell_index(c)).bbox().zmin() > -0.5;
@@ -202,7 +203,7 @@ TEST_CASE(
     const Vector_3 d = noise();
     const double unit = size * std::sqrt(d.squared_length()), off = random.get_double(-0.02, 0.02);
     const Point_3 p = on_sphere(d, 0.97 + off), q = on_sphere(d + unit * noise(), 0.97 + off);
-    // every third one is a needle
+    // every third facet is a needle
     const Point_3 r = n % 3 == 0 ? on_sphere(q - CGAL::ORIGIN + 1e-6 * noise(), 0.97 + off)
                                  : on_sphere(d + unit * noise(), 0.97 + off);
     const std::array<Point_3, 3> t = { p, q, r };
@@ -246,7 +247,7 @@ TEST_CASE("Filter: in an edge collapse of CGAL it keeps every facet accepted, an
   }
   for(auto v : mesh.vertices()) CHECK(oracle().winding_number(mesh.point(v), link_of(mesh, v)) == 1);
 
-  // statistics are shared by the copies that CGAL makes; history is complete
+  // The copies that CGAL makes share the statistics; the history is complete.
   const auto& statistics = filter.statistics();
   CHECK(statistics.number(Placement_verdict::ACCEPTED) >= visitor.history().collapsed);
   CHECK(statistics.rejected() > 0);

@@ -1,4 +1,5 @@
-// Shell_placement.h: places of another policy that are outside a shell are brought into it, others are kept.
+// Shell_placement.h: if another policy places a vertex outside a shell, it is moved into the shell; other placements
+// are kept.
 #include "polynomial_fields.h"
 #include "test_meshes.h"
 
@@ -24,14 +25,14 @@ namespace BS = CGAL::Bspline_shells;
 namespace P = CGAL::Bspline_shells::parameters;
 namespace SMS = CGAL::Surface_mesh_simplification;
 
-// a kernel with predicates of its own, which is not one of CGAL's
+// A user's kernel with its own filtered predicates; it is not one of CGAL's kernels.
 struct Own_filtered_kernel
   : CGAL::Filtered_kernel_adaptor<
       CGAL::Type_equality_wrapper<CGAL::Simple_cartesian<double>::Base<Own_filtered_kernel>::Type, Own_filtered_kernel>,
       true>
 {};
 
-// what a placement asks of an edge
+// The part of an edge profile that a placement uses.
 template <typename Kernel>
 struct Edge
 {
@@ -93,7 +94,7 @@ TEST_CASE(
 {
   const Mesh start = sphere(3);
   const auto shell = CGAL::certified_bspline_shell_3(start, P::relative_thickness(0.02));
-  typedef SMS::LindstromTurk_placement<Mesh> Outside; // keeps the volume, and so its places are outside of a ball
+  typedef SMS::LindstromTurk_placement<Mesh> Outside; // preserves the volume, so its points are outside a ball
   REQUIRE(shell);
   const auto collapsed = [&](const auto& placement) {
     Mesh mesh = start;

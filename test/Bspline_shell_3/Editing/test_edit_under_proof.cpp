@@ -1,4 +1,4 @@
-// edit_under_proof.h: edits that break a promise are undone; reports name facets and vertices of the user's mesh.
+// edit_under_proof.h: edits that break a guarantee are undone; reports refer to facets and vertices of the user's mesh.
 #include <CGAL/Bspline_shell_3/Editing/internal/edit_under_proof.h>
 #include "frozen_facets.h"
 #include "truncations.h"
@@ -24,7 +24,7 @@ typedef BS::Edit_status Status;
 typedef BS::Edit_result<BS::Edit_report, Mesh> Result;
 typedef std::vector<std::size_t> Positions;
 
-// a shell of the unit sphere, with room around it
+// Returns a shell of the unit sphere, with room around the sphere.
 const Shell& shell()
 {
   static const Shell shell = [] {
@@ -51,7 +51,7 @@ const auto nothing = [](Mesh&) {};
 
 const Mesh::Vertex_index out(7);
 
-// a sphere with a vertex in its middle, beyond the shell
+// Returns a sphere with one vertex moved to its center, out of the shell.
 Mesh dented()
 {
   Mesh mesh = sphere(2);
@@ -67,7 +67,7 @@ Positions facets_at(const Mesh& mesh, Mesh::Vertex_index v)
   return positions;
 }
 
-// a vertex that is not near the dent
+// Returns the vertex farthest from the dent.
 Mesh::Vertex_index far(const Mesh& mesh)
 {
   const Vector_3 n = sphere(2).point(out) - CGAL::ORIGIN;
@@ -96,13 +96,13 @@ TEST_CASE("With frozen facets, an edit must keep them, leave all others in the s
     return status;
   };
   CHECK(status(nothing) == Status::EDITED_EXCEPT_FROZEN);
-  // a vertex within the shell, and one beyond it
+  // The vertex stays in the shell, or leaves it.
   const auto scaled = [](double s) {
     return [s](Mesh& m) { m.point(far(m)) = CGAL::ORIGIN + s * (m.point(far(m)) - CGAL::ORIGIN); };
   };
   CHECK(status(scaled(1.02)) == Status::EDITED_EXCEPT_FROZEN);
   CHECK(status(scaled(3)) == Status::NOT_CERTIFIED);
-  // the frozen vertex is moved, and stays beyond the shell
+  // The frozen vertex is moved, and stays outside the shell.
   CHECK(status([](Mesh& m) { m.point(out) = Point_3(0, 0, 0.1); }) == Status::NOT_CERTIFIED);
   CHECK(status([](Mesh& m) { CGAL::Euler::remove_face(m.halfedge(far(m)), m); }) == Status::NOT_CERTIFIED);
   CHECK(status([](Mesh& m) { CGAL::Euler::remove_face(m.halfedge(out), m); }) == Status::NOT_CERTIFIED);

@@ -1,6 +1,6 @@
-// remesh_in_shell.h: edges get the length asked for and triangles good angles as far as the shell allows; what comes
-// out is certified, what cannot be done leaves the mesh as it was, and what the caller constrains stays.
-#include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h> // first: it must bring what it needs
+// remesh_in_shell.h: edges get the requested length, and triangles good angles, as far as the shell allows. The result
+// is certified; failed edits leave the mesh unchanged; the caller's constraints are respected.
+#include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h> // first: must be self-contained
 
 #include "frozen_facets.h"
 #include "test_meshes.h"
@@ -45,7 +45,7 @@ typedef CGAL::Bspline_shell_3<> Shell;
 typedef Mesh::Property_map<Mesh::Edge_index, bool> Edge_flags;
 typedef Mesh::Property_map<Mesh::Vertex_index, bool> Vertex_flags;
 
-// a shell with room around the mesh that it was built for
+// Returns a shell with additional room around its mesh.
 Shell widened(const Shell& shell, double room)
 {
   return Shell(shell.field(), BS::Level_range{ shell.inner_level() - room, shell.outer_level() + room },
@@ -81,8 +81,8 @@ double length(const Mesh& mesh, Mesh::Edge_index e)
   return std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
 }
 
-// twice the inradius divided by the circumradius, of all facets, the worst first: 1 for equilateral ones. Twice the
-// inradius is 4 area / (a + b + c) and the circumradius abc / (4 area).
+// Returns twice the inradius over the circumradius of all facets, in ascending order: 1 for equilateral triangles.
+// Twice the inradius is 4 area / (a + b + c); the circumradius is abc / (4 area).
 std::vector<double> qualities(const Mesh& mesh)
 {
   std::vector<double> all;
@@ -107,7 +107,7 @@ double percentile(const std::vector<double>& sorted)
   return sorted[sorted.size() / 100];
 }
 
-// of all edges, relative to the length asked for in their middles, the shortest first
+// Returns the lengths of all edges relative to the requested length at their midpoints, in ascending order.
 template <typename Sizing>
 std::vector<double> relative_lengths(const Mesh& mesh, const Sizing& sizing)
 {
@@ -119,15 +119,15 @@ std::vector<double> relative_lengths(const Mesh& mesh, const Sizing& sizing)
   return all;
 }
 
-// the share of edges that would neither be split nor collapsed
+// Returns the share of edges that would be neither split nor collapsed.
 double share_of_good_lengths(const std::vector<double>& relative)
 {
   const auto good = std::count_if(relative.begin(), relative.end(), [](double x) { return 0.8 <= x && x <= 4. / 3; });
   return double(good) / double(relative.size());
 }
 
-// What every result promises, by means that the function did not use itself: CGAL's exact test, a new certificate, fans
-// one by one.
+// Checks the guarantees of every result by other means than the function's: CGAL's exact test, a new certificate, and
+// fans one by one.
 template <typename AnyShell>
 void check_result(const BS::Remeshing_report& report, const AnyShell& shell, const Mesh& mesh)
 {
@@ -137,7 +137,7 @@ void check_result(const BS::Remeshing_report& report, const AnyShell& shell, con
   CHECK(CGAL::is_closed(mesh));
   CHECK(CGAL::is_triangle_mesh(mesh));
   CHECK(report.facets == mesh.number_of_faces());
-  // an edge that is split adds two facets, one that is collapsed takes two away
+  // A split adds two facets, a collapse removes two.
   CHECK(report.facets + 2 * report.collapses == report.facets_before + 2 * report.splits);
   CHECK_FALSE(PMP::does_self_intersect(mesh));
   for(BS::Verdict v : report.certificate.verdicts) CHECK(v == BS::Verdict::PROVED);
@@ -165,7 +165,7 @@ BS::Remeshing_result<Mesh> remesh(Mesh& mesh, const Sizing& sizing, const Shell&
   return remesh(mesh, sizing, shell, CGAL::parameters::default_values());
 }
 
-// flags on the outer equator of torus(1, 0.4, 40, 20)
+// Sets the flags on the outer equator of torus(1, 0.4, 40, 20).
 std::vector<std::pair<Mesh::Edge_index, std::pair<Point_3, Point_3> > > flag_equator(const Mesh& mesh, Edge_flags flags)
 {
   std::vector<std::pair<Mesh::Edge_index, std::pair<Point_3, Point_3> > > flagged;
@@ -180,7 +180,7 @@ std::vector<std::pair<Mesh::Edge_index, std::pair<Point_3, Point_3> > > flag_equ
   return flagged;
 }
 
-// whether every vertex has two flagged edges or none
+// Returns whether every vertex has two flagged edges or none.
 bool are_closed_polylines(const Mesh& mesh, Edge_flags flags)
 {
   for(auto v : mesh.vertices()) {
@@ -191,7 +191,7 @@ bool are_closed_polylines(const Mesh& mesh, Edge_flags flags)
   return true;
 }
 
-// a point map of the user's that returns points, not references to them
+// A user's point map that returns points by value.
 struct Computed_points
 {
   typedef Mesh::Vertex_index key_type;
@@ -205,7 +205,7 @@ struct Computed_points
   friend Point_3 get(const Computed_points& map, Mesh::Vertex_index v)
   {
     const Point_3& p = map.eightfold->at(v);
-    return Point_3(p.x() / 8, p.y() / 8, p.z() / 8); // powers of two: exact
+    return Point_3(p.x() / 8, p.y() / 8, p.z() / 8); // exact, as 8 is a power of two
   }
   friend void put(const Computed_points& map, Mesh::Vertex_index v, const Point_3& p)
   {
@@ -213,7 +213,7 @@ struct Computed_points
   }
 };
 
-// flags of edges in an array of the user's, which grows with the mesh
+// Flags of edges in a user's array, which grows with the mesh.
 struct Flags_outside
 {
   typedef Mesh::Edge_index key_type;
@@ -236,19 +236,19 @@ struct Flags_outside
 
 typedef std::function<double(const Point_3&)> Sizing_function;
 
-// a length that is none after so many calls: then edges were split already
+// Returns a sizing function that is invalid after the given number of calls, when some edges are already split.
 Sizing_function failing_after(std::size_t calls, double length)
 {
   return [calls, length](const Point_3&) mutable { return calls > 0 ? --calls, length : 0.; };
 }
 
-// flags for edges and vertices, as property maps of a mesh
+// Flags of edges and vertices, as property maps of a mesh.
 struct Constraints
 {
   Edge_flags edges;
   Vertex_flags vertices;
 
-  // `value_of_new` is what edges get that are added later
+  // \param value_of_new initial value for edges that are added later
   explicit Constraints(Mesh& mesh, bool value_of_new = false)
     : edges(mesh.add_property_map<Mesh::Edge_index, bool>("e:constrained", value_of_new).first),
       vertices(mesh.add_property_map<Mesh::Vertex_index, bool>("v:constrained", false).first)
@@ -257,10 +257,10 @@ struct Constraints
   }
   Constraints(Edge_flags edges, Vertex_flags vertices) : edges(edges), vertices(vertices) {}
 
-  // the same flags in a copy of the mesh
+  // Returns the same flags in a copy of the mesh.
   Constraints of(Mesh& copy) const
   {
-    return { copy.add_property_map<Mesh::Edge_index, bool>("e:constrained").first, // it has them
+    return { copy.add_property_map<Mesh::Edge_index, bool>("e:constrained").first, // the map exists
              copy.add_property_map<Mesh::Vertex_index, bool>("v:constrained").first };
   }
   auto parameters(bool protect) const
@@ -289,13 +289,13 @@ TEST_CASE("Remeshing: edges near the target length, good triangles, everything c
   CHECK(report.moves > 0);
   const auto lengths = relative_lengths(mesh, [&](const Point_3&) { return target; });
   const auto quality = qualities(mesh);
-  // The last edges are split and collapsed in the last iteration; what moves afterwards leaves few of them out of these
+  // Edges are split and collapsed for the last time in the last iteration. Later moves push few of them out of these
   // bounds.
   CHECK(share_of_good_lengths(lengths) > 0.95);
   CHECK(lengths.front() > 0.4);
   CHECK(lengths.back() < 1.6);
-  // The median of 0.85 and the percentile of 0.3 are what the package promises of bad meshes in shells with room: this
-  // one is easy. An isosceles triangle with the angle 120 degrees, as four edges at a vertex of a crease make them, has
+  // For bad meshes in shells with room, the package promises a median of 0.85 and a percentile of 0.3; this mesh is
+  // easy. An isosceles triangle with an angle of 120 degrees, as at a vertex of a crease with four edges, has quality
   // 0.43.
   CHECK(before < 0.7);
   CHECK(median(quality) > 0.95);
@@ -318,7 +318,7 @@ TEST_CASE("Remeshing: needles become good triangles")
 
 TEST_CASE("Remeshing: a sizing function makes one side finer")
 {
-  // a function is called with points, and may return whatever becomes a double
+  // A sizing function may return any type that converts to `double`.
   const auto sizing = [](const Point_3& p) { return 0.16 + 0.08 * p.x(); };
   Mesh mesh = sphere(3);
   const auto report = remesh(mesh, sizing, sphere_shell(), P::number_of_iterations(5));
@@ -329,8 +329,8 @@ TEST_CASE("Remeshing: a sizing function makes one side finer")
   CHECK(lengths.back() < 1.5);
   CHECK(median(quality) > 0.95);
   CHECK(quality.front() > 0.6);
-  // How many equilateral triangles that would be: area of the sphere between x and x + dx, 2 pi dx, by sqrt(3) / 4 s^2.
-  // With s = a + b x, the integral over [-1, 1] of 1 / s^2 is 2 / (a^2 - b^2).
+  // Estimate the number of equilateral triangles: the area of the sphere between x and x + dx, 2 pi dx, over sqrt(3) /
+  // 4 s^2. With s = a + b x, the integral of 1 / s^2 over [-1, 1] is 2 / (a^2 - b^2).
   const double expected = 2 * std::acos(-1.) * 4 / std::sqrt(3.) * 2 / (0.16 * 0.16 - 0.08 * 0.08);
   CHECK(double(report.facets) == Approx(expected).epsilon(0.1));
 }
@@ -371,7 +371,7 @@ TEST_CASE("Remeshing: constrained edges of a box are split and merged, and stay 
     for(int i = 0; i < 3; ++i) at_side += p[i] == 0 || p[i] == 1;
     return at_side >= 2;
   };
-  // finer, and coarser again, without collecting garbage between
+  // first finer, then coarser, without collecting garbage in between
   for(double target : { 0.2, 0.45 }) {
     const auto report = remesh(mesh, target, box_shell(), constraints.parameters(false));
     check_result(report, box_shell(), mesh);
@@ -385,9 +385,9 @@ TEST_CASE("Remeshing: constrained edges of a box are split and merged, and stay 
       CHECK(is_at_edge(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
     }
     CHECK(report.constrained_edges == flagged);
-    // twelve edges, all covered, none twice; coordinates are multiples of a power of two
+    // The twelve edges are covered exactly once. Coordinates are multiples of a power of two, so the sum is exact.
     CHECK(sum == 12);
-    // quarters of the sides; then halves, or a quarter, a half and a quarter
+    // The sides are divided into quarters; then into halves, or into a quarter, a half and a quarter.
     if(target == 0.2) CHECK(flagged == 48);
     else CHECK((24 <= flagged && flagged <= 36));
     std::size_t corners = 0;
@@ -402,7 +402,7 @@ TEST_CASE("Remeshing: constrained edges of a box are split and merged, and stay 
 TEST_CASE(
   "Remeshing: a constrained polyline stays one, with vertices on what it was, edges that are new are not constrained")
 {
-  // a map that gives new edges the wrong value, unless it is told
+  // The map's default value for new edges is wrong in one case; the remesher must set it.
   for(bool value_of_new : { false, true }) {
     Mesh mesh = torus(1, 0.4, 40, 20);
     Constraints constraints(mesh, value_of_new);
@@ -423,7 +423,7 @@ TEST_CASE(
     }
     CHECK(off == 0);
     CHECK(are_closed_polylines(mesh, constraints.edges));
-    // edges of 0.22 were halved
+    // edges of length 0.22 were halved
     CHECK(flagged == 80);
   }
 }
@@ -487,7 +487,7 @@ TEST_CASE("Remeshing: vertices that move return to the mesh as it was, unless th
 
 TEST_CASE("Remeshing: every vertex knows into which one it was collapsed")
 {
-  // Needles are collapsed and long edges split, so that elements that were removed are used again.
+  // Needles are collapsed and long edges are split, so removed elements are reused.
   const Mesh start = sliced_sphere(300, 12);
   Mesh mesh = start;
   const double target = 0.1;
@@ -498,10 +498,10 @@ TEST_CASE("Remeshing: every vertex knows into which one it was collapsed")
   REQUIRE(result.images.size() == start.number_of_vertices());
   std::set<Mesh::Vertex_index> images(result.images.begin(), result.images.end());
   for(auto v : images) CHECK_FALSE(mesh.is_removed(v));
-  // each collapse takes a vertex away, and those of the result that are no images come from splits
+  // Each collapse removes a vertex. Vertices of the result that are not images come from splits.
   CHECK(images.size() + result.collapses >= start.number_of_vertices());
   CHECK(mesh.number_of_vertices() <= images.size() + result.splits);
-  // What is collapsed was short, so that images are near.
+  // Collapsed edges were short, so images are close.
   double farthest = 0;
   for(auto v : start.vertices())
     farthest = (std::max)(farthest,
@@ -510,7 +510,7 @@ TEST_CASE("Remeshing: every vertex knows into which one it was collapsed")
   CHECK(farthest > 0);
   CHECK(result.locations.empty());
 
-  // without collapses every vertex is its own image
+  // Without collapses, every vertex is its own image.
   mesh = start;
   const auto flipped = remesh(mesh, target, sphere_shell(), P::number_of_iterations(0));
   REQUIRE(flipped.images.size() == start.number_of_vertices());
@@ -564,7 +564,7 @@ TEST_CASE("Remeshing: one thread and several give the same mesh")
 
 namespace {
 
-// accepts all stars, and remembers them
+// An oracle that accepts all stars, and records them.
 struct Recording_oracle
 {
   typedef Kernel::Point_3 Point_3;
@@ -606,7 +606,7 @@ TEST_CASE("Remeshing: of vertices that are moved at the same time, none is in th
   remesher.relax<CGAL::Sequential_tag>([](const Kernel::Point_3& p) { return p; });
   REQUIRE(stars.size() > 100);
   REQUIRE(report.moves == stars.size());
-  // moved one after the other, each vertex has the link that it was accepted with
+  // If vertices are moved one by one, each has the link with which it was accepted.
   Mesh replayed = before;
   for(const auto& star : stars) {
     const auto found = std::find_if(replayed.vertices_begin(), replayed.vertices_end(), [&](Mesh::Vertex_index v) {
@@ -643,7 +643,7 @@ TEST_CASE("Remeshing: of a Polyhedron_3, wherever its elements are in memory")
   check(report, one, of_one);
   check(BS::remesh_in_shell<CGAL::Sequential_tag>(other, 0.2, torus_shell()), other, of_other);
   CHECK(is_equal(of_one, of_other));
-  // A Surface_mesh puts new elements in the place of removed ones, so that edges of equal length come in another order.
+  // A Surface_mesh reuses removed elements for new ones, so edges of equal length come in a different order.
   const auto of_surface_mesh = remesh(of_mesh, 0.2, torus_shell());
   REQUIRE(of_surface_mesh);
   CHECK(double(report.facets) == Approx(double(of_surface_mesh.facets)).epsilon(0.03));
@@ -735,13 +735,13 @@ TEST_CASE("Remeshing: a visitor is told of each iteration, what was done until i
 
 TEST_CASE("Remeshing: if all edges have about the length asked for, the report says so")
 {
-  Mesh mesh = sphere(2); // edges of 0.28 to 0.32
+  Mesh mesh = sphere(2); // edges of length 0.28 to 0.32
   CHECK(remesh(mesh, 0.3, sphere_shell(), P::number_of_iterations(0)).end == BS::Edit_end::TARGET);
 }
 
 TEST_CASE("Remeshing: in a shell as thin as it can be, most collapses are refused, and nothing breaks")
 {
-  // between the least and the greatest value of the field on the mesh
+  // The thresholds are the least and the greatest value of the field on the mesh.
   const Shell shell = widened(tight_sphere_shell(), 1e-9);
   for(double target : { 0.1, 1. }) {
     Mesh mesh = sphere(2);
@@ -764,7 +764,7 @@ TEST_CASE("Remeshing: edges of length zero vanish")
   PMP::triangulate_faces(mesh);
   const Mesh start = mesh;
   check_result(remesh(mesh, 0.2, sphere_shell()), sphere_shell(), mesh);
-  // flips alone do not help
+  // Flips alone are not enough.
   mesh = start;
   const auto report = remesh(mesh, 0.2, sphere_shell(), P::number_of_iterations(0));
   CHECK(report.status == Status::NOT_CERTIFIED);
@@ -805,7 +805,7 @@ TEST_CASE("Remeshing: what cannot be remeshed is refused with a reason, and stay
     CHECK(report.message() == message(report.invalid_parameter));
     CHECK(report.end == BS::Edit_end::NOT_EDITED);
   }
-  // the bound is the length with which there are too many facets: about 5.4e9 / length^2
+  // The bound is the length with too many facets: about 5.4e9 / length^2.
   const double shortest = remesh(mesh = sphere(2), 1e-6, sphere_shell()).invalid_parameter.bounds.lower;
   CHECK(remesh(mesh, 0.999 * shortest, sphere_shell(), P::memory_limit(infinite)).status == Status::INVALID_PARAMETER);
   CHECK(remesh(mesh, 1.001 * shortest, sphere_shell()).status == Status::MEMORY_LIMIT_EXCEEDED);
@@ -839,19 +839,19 @@ TEST_CASE("Remeshing: on request facets that are not in the shell are frozen, an
     REQUIRE(is_equal(mesh, start));
     const auto result = remesh(mesh, target, sphere_shell(), P::freeze_rejected_facets(true));
     check_frozen_result(result, sphere_shell(), start, mesh);
-    // the star of the vertex, and nothing else
+    // only the star of the vertex is frozen
     CHECK(result.frozen_facets.size() == start.degree(Mesh::Vertex_index(7)));
     CHECK(result.frozen_facets_before == result.offending_simplices.facets);
     CHECK(result.offending_simplices.vertices.empty());
     CHECK(result.certificate.verdict(BS::Claim::CONTAINMENT) != BS::Verdict::PROVED);
-    // vertices of frozen facets are their own images
+    // Vertices of frozen facets are their own images.
     CHECK(result.images[7] == Mesh::Vertex_index(7));
     for(auto v : CGAL::vertices_around_target(start.halfedge(Mesh::Vertex_index(7)), start))
       CHECK(result.images[v.idx()] == v);
     if(target == 0.1) CHECK(result.facets > 2 * start.number_of_faces());
     else CHECK(2 * result.facets < start.number_of_faces());
     CHECK(result.moves > 0);
-    // far from them, edges are as long as asked for
+    // Far from these, edges have the requested length.
     std::size_t far = 0, good = 0;
     for(auto e : mesh.edges()) {
       const Point_3 middle = CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)));
@@ -879,7 +879,7 @@ TEST_CASE("Remeshing: on request facets at a vertex are frozen that are all in t
   CHECK(result.offending_simplices.vertices == std::vector<std::size_t>{ 0, 1 });
   CHECK(result.frozen_facets.size() == std::size_t(2 * slices));
   CHECK(result.splits + result.collapses > 100);
-  // each facet is good, and what they do together is not
+  // Each facet alone is accepted, but together they cover the shell twice.
   CHECK(result.certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED);
   CHECK(result.certificate.verdict(BS::Claim::TRANSVERSALITY) == BS::Verdict::PROVED);
   CHECK(result.certificate.verdict(BS::Claim::DEGREE_ONE) != BS::Verdict::PROVED);
@@ -909,17 +909,17 @@ TEST_CASE("Remeshing: a length that asks for more memory than allowed is refused
   const auto status = [&](double target, double limit) {
     return remesh(mesh, target, sphere_shell(), P::memory_limit(limit)).status;
   };
-  // 3e7 facets are more than the default allows, and 700 more than a megabyte does
+  // 3e7 facets exceed the default limit, and 700 facets exceed a megabyte.
   CHECK(remesh(mesh, 1e-3, sphere_shell()).status == Status::MEMORY_LIMIT_EXCEEDED);
   CHECK(status(0.2, 1e6) == Status::MEMORY_LIMIT_EXCEEDED);
   for(double limit : { 0., -1., nan_value }) CHECK(status(0.2, limit) == Status::INVALID_PARAMETER);
   CHECK(std::string(remesh(mesh, 0.2, sphere_shell(), P::memory_limit(-1.)).invalid_parameter.name) == "memory_limit");
-  // a length in the wrong unit stays one, however much memory there is
+  // A length in the wrong unit is invalid, however much memory there is.
   CHECK(status(1e-6, infinite) == Status::INVALID_PARAMETER);
   CHECK(is_equal(mesh, start));
   const auto report = remesh(mesh, 0.2, sphere_shell(), P::memory_limit(1e7));
   check_result(report, sphere_shell(), mesh);
-  // The limit speaks of both meshes: this is a coarse one of a fine one.
+  // The limit applies to both meshes: here, the coarse result and the fine input.
   Mesh fine = sphere(4);
   CHECK(remesh(fine, 0.5, sphere_shell(), P::memory_limit(5e6)).status == Status::MEMORY_LIMIT_EXCEEDED);
   CHECK(is_equal(fine, sphere(4)));
@@ -927,10 +927,10 @@ TEST_CASE("Remeshing: a length that asks for more memory than allowed is refused
 
 TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all that the caller attached to it")
 {
-  // two spheres in one shell: each facet is good, but the mesh covers the shell twice
+  // Two spheres are in one shell: each facet is accepted, but the mesh covers the shell twice.
   Mesh mesh = sphere(2);
   CGAL::copy_face_graph(sphere(2, 0.98), mesh);
-  // and there was something else, which was removed
+  // The mesh also has removed elements.
   CGAL::make_tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), mesh);
   std::vector<Mesh::Face_index> removed;
   for(auto f : mesh.faces())
@@ -938,8 +938,8 @@ TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all th
   REQUIRE(removed.size() == 4);
   for(auto f : removed) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
   REQUIRE(mesh.number_of_removed_edges() == 6);
-  // Properties of several sizes: those that the remesher attached itself must not be removed in place of these,
-  // wherever they are in memory.
+  // The caller's properties have several sizes. The remesher must remove its own properties only, wherever they are in
+  // memory.
   mesh.add_property_map<Mesh::Edge_index, bool>("e:flag", true);
   mesh.add_property_map<Mesh::Edge_index, std::size_t>("e:number", 17);
   mesh.add_property_map<Mesh::Edge_index, std::pair<double, double> >("e:pair", { 1., 2. });
@@ -956,15 +956,15 @@ TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all th
   CHECK(is_equal(mesh, before));
   CHECK(mesh.properties<Mesh::Edge_index>() == before.properties<Mesh::Edge_index>());
   const auto numbers = mesh.add_property_map<Mesh::Edge_index, std::size_t>("e:number");
-  REQUIRE_FALSE(numbers.second); // it is there
+  REQUIRE_FALSE(numbers.second); // the map exists
   for(auto e : mesh.edges()) CHECK(numbers.first[e] == 17);
 
-  // maps that the caller has stay valid, and say what they said, though constrained edges were split
+  // The caller's maps remain valid, and keep their values, although constrained edges are split.
   Constraints constraints(mesh);
   auto numbered = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
   for(auto e : mesh.edges()) constraints.edges[e] = e.idx() % 10 == 0;
   for(auto v : mesh.vertices()) put(numbered, v, v.idx());
-  // No facet is rejected, and so none can be frozen.
+  // No facet is rejected, so none can be frozen.
   CHECK(remesh(mesh, 0.1, sphere_shell(), constraints.parameters(false).freeze_rejected_facets(true)).status
         == Status::NOT_CERTIFIED);
   CHECK(is_equal(mesh, before));
@@ -976,13 +976,13 @@ TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all th
   for(auto e : mesh.edges()) wrong += constraints.edges[e] != (e.idx() % 10 == 0);
   for(auto v : mesh.vertices()) wrong += get(numbered, v) != v.idx();
   CHECK(wrong == 0);
-  // the places of what was removed before are used again
+  // Places of elements that were removed before are reused.
   Mesh more = mesh;
   CGAL::make_tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), more);
   CHECK(more.is_valid());
   CHECK(more.num_faces() == mesh.num_faces());
 
-  // the same where points are not in the mesh
+  // The same holds if points are not stored in the mesh.
   Computed_points points;
   for(auto v : mesh.vertices()) put(points, v, mesh.point(v));
   CHECK(remesh(mesh, 0.2, sphere_shell(), P::vertex_point_map(points)).status == Status::NOT_CERTIFIED);
@@ -1007,7 +1007,7 @@ TEST_CASE("Remeshing: without success a map of constrained edges says what it sa
     CHECK(is_equal(mesh, start));
     REQUIRE(map.flags->size() > before.size());
     CHECK(std::equal(before.begin(), before.end(), map.flags->begin()));
-    // there are no others
+    // No other flags are set.
     CHECK(std::count(map.flags->begin() + std::ptrdiff_t(before.size()), map.flags->end(), 1) == 0);
   }
   {
@@ -1023,7 +1023,7 @@ TEST_CASE("Remeshing: without success a map of constrained edges says what it sa
     CHECK(chosen == before);
   }
   {
-    // The elements of a Polyhedron_3 are new, and the same edges of it are constrained.
+    // A Polyhedron_3 gets new elements; the same edges are constrained.
     typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
     typedef std::set<boost::graph_traits<Polyhedron>::edge_descriptor> Edges;
     Polyhedron mesh;

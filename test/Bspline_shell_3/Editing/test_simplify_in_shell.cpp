@@ -1,5 +1,5 @@
-// simplify_in_shell.h: what comes out is certified, what cannot be done leaves the mesh as it was, and what the caller
-// asks for is honoured.
+// simplify_in_shell.h: the result is certified; failed edits leave the mesh unchanged; the caller's options are
+// respected.
 #include "frozen_facets.h"
 #include "test_meshes.h"
 
@@ -40,7 +40,7 @@ using BS::Placement_verdict;
 typedef BS::Edit_status Status;
 typedef CGAL::Bspline_shell_3<> Shell;
 
-// a shell with room around the mesh that it was built for
+// Returns a shell with additional room around its mesh.
 Shell widened(const Shell& shell, double room)
 {
   return Shell(shell.field(), BS::Level_range{ shell.inner_level() - room, shell.outer_level() + room },
@@ -65,7 +65,7 @@ const Shell& box_shell()
   return shell;
 }
 
-// the unit box, its sides cut into 8 x 8 squares of two facets; coordinates are multiples of 1/8
+// Returns the unit box; each side has 8 x 8 squares of two facets. Coordinates are multiples of 1/8.
 Mesh fine_box()
 {
   Mesh mesh;
@@ -102,8 +102,7 @@ bool is_at_edge_of_box(const Point_3& p)
   return sides >= 2;
 }
 
-// Edges as a set of the caller's. A set that has only edges of the mesh, and all that are constrained, has followed
-// them.
+// The caller's set of edges. It is up to date if it contains exactly the constrained edges of the mesh.
 typedef std::set<Mesh::Edge_index> Edge_set;
 
 template <typename Predicate>
@@ -132,7 +131,7 @@ BS::Simplification_result<Mesh> simplify(Mesh& mesh, const Shell& shell, const N
   return BS::simplify_in_shell<CGAL::Sequential_tag>(mesh, shell, np);
 }
 
-// counts calls, and checks their order
+// Counts calls, and checks their order.
 struct Counting_visitor : SMS::internal::Dummy_visitor
 {
   // s: started, o: selected, f: filter, c: collapsing, C: collapsed, n: not collapsable, e: finished
@@ -166,7 +165,7 @@ struct Counting_visitor : SMS::internal::Dummy_visitor
   std::set<std::size_t> initial_edges;
 };
 
-// notes its calls with those of a visitor, and cannot be copied
+// A filter that records its calls together with those of a visitor. It cannot be copied.
 struct Noting_filter
 {
   Counting_visitor* visitor;
@@ -235,7 +234,7 @@ TEST_CASE("Simplification: without a stop it ends where every collapse is refuse
   CHECK(result.end == BS::Edit_end::SHELL);
   CHECK(is_certified(torus_shell(), mesh));
   CHECK_FALSE(PMP::does_self_intersect(mesh));
-  // the incremental proofs say the same as the certificate, facet by facet
+  // The incremental proofs agree with the certificate on each facet.
   const BS::Shell_facet_oracle_3<> oracle(torus_shell());
   for(auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
@@ -249,7 +248,7 @@ TEST_CASE("Simplification: an edit that is not certified is done again with all 
   const Mesh start = sphere(2);
   const auto edited = [](auto& mesh, bool may_repeat, int failures, auto& result,
                          std::vector<BS::Facet_proofs>& proofs) {
-    // the first edits move a vertex out of the shell
+    // The first `failures` edits move a vertex out of the shell.
     const auto edit = [&](const auto& oracle, auto&, const auto& vertices_before) {
       auto vpm = get(CGAL::vertex_point, mesh);
       proofs.push_back(oracle.proofs());
@@ -277,7 +276,7 @@ TEST_CASE("Simplification: an edit that is not certified is done again with all 
       CHECK(is_equal(mesh, start));
       CHECK(result.images.size() == (status == Status::SUCCESS ? start.number_of_vertices() : 0));
     }
-  // elements of other meshes would be others, and so would those of one that has holes in its numbers
+  // Edits are not repeated if that would replace elements of the mesh: for other mesh types, and if indices have gaps.
   CGAL::Polyhedron_3<Kernel> polyhedron;
   CGAL::copy_face_graph(start, polyhedron);
   BS::Simplification_result<CGAL::Polyhedron_3<Kernel> > of_polyhedron;
@@ -326,7 +325,7 @@ TEST_CASE("Simplification: an edit that is done again finds constrained edges as
 TEST_CASE(
   "Simplification: what is done again is what would have been done at once, also with policies that have a state")
 {
-  // two spheres in one shell: each facet is good, but the mesh covers the shell twice
+  // Two spheres are in one shell: each facet is accepted, but the mesh covers the shell twice.
   Mesh mesh = sphere(2);
   CGAL::copy_face_graph(sphere(2, 0.98), mesh);
   const Mesh start = mesh;
@@ -349,7 +348,7 @@ TEST_CASE(
 
 TEST_CASE("Simplification: what fails because of the shell is not done again")
 {
-  // the whole ball, with its critical point
+  // The shell is the whole ball, with its critical point.
   Mesh mesh = sphere(2);
   const Mesh start = mesh;
   const auto result = simplify(mesh, widened(sphere_shell(), 1.5), P::stop(BS::Facet_count_stop_predicate(300)));
@@ -362,7 +361,7 @@ TEST_CASE("Simplification: what fails because of the shell is not done again")
 
 TEST_CASE("Simplification: it finds the same with estimates as with all proofs")
 {
-  // a visitor sees what is done, and so all is proved
+  // A visitor observes the edits, so everything is proved.
   Mesh estimated = torus(1, 0.4, 40, 20), proved = estimated;
   Counting_visitor visitor;
   const auto result = simplify(estimated, torus_shell(), P::stop(BS::Facet_count_stop_predicate(500)));
@@ -397,10 +396,10 @@ TEST_CASE("Simplification: it reports who ended it: the predicate, the shell, a 
     CHECK((result.end == Edit_end::NOT_EDITED) == !result);
     return result.end;
   };
-  // a target that the shell does not allow, and one that it does
+  // The shell does not permit the first target, but the second one.
   CHECK(end(P::stop(BS::Facet_count_stop_predicate(4)), sphere_shell()) == Edit_end::SHELL);
   CHECK(end(P::stop(BS::Facet_count_stop_predicate(200)), sphere_shell()) == Edit_end::STOP_PREDICATE);
-  // If filter and shell reject places, the shell is named.
+  // If both the filter and the shell reject placements, the shell is reported.
   const auto is_on_one_side = [](const auto& profile, auto placement) {
     return profile.p0().x() < 0 ? decltype(placement)() : placement;
   };
@@ -483,7 +482,7 @@ TEST_CASE("Simplification: edges that are constrained stay, with their vertices"
   std::map<Mesh::Edge_index, std::set<Point_3> > ends;
   for(auto e : mesh.edges()) {
     const Point_3 &p = mesh.point(mesh.vertex(e, 0)), &q = mesh.point(mesh.vertex(e, 1));
-    // the outer equator
+    // is the edge on the outer equator?
     if(p.z() == 0 && q.z() == 0 && p.x() * p.x() + p.y() * p.y() > 1 && q.x() * q.x() + q.y() * q.y() > 1) {
       constrained[e] = true;
       ends[e] = { p, q };
@@ -514,7 +513,7 @@ TEST_CASE("Simplification: constrained edges that are not protected are merged a
     if(protect) {
       CHECK(constrained == edges_between(start, is_on_line));
     } else {
-      // one for each edge of the box, and the box is what it was
+      // One constrained edge is left for each edge of the box, whose shape is unchanged.
       CHECK(result.constrained_edges == 12);
       CHECK(result.facets == 12);
     }
@@ -525,13 +524,13 @@ TEST_CASE("Simplification: constrained edges that are not protected are merged a
       for(int end : { 0, 1 }) CHECK(is_at_edge_of_box(mesh.point(mesh.vertex(e, end))));
       sum += length(mesh, e);
     }
-    CHECK(sum == 12); // all lengths are multiples of 1/8
+    CHECK(sum == 12); // exact, as all lengths are multiples of 1/8
   }
 }
 
 TEST_CASE("Simplification: ends of constrained polylines stay, and vertices where more than two edges meet")
 {
-  // a cross in the side z = 1: four arms of three edges each
+  // The constrained edges form a cross in the side z = 1, of four arms with three edges each.
   Mesh mesh = fine_box();
   const auto is_on_cross = [](const Point_3& p, const Point_3& q) {
     const Point_3 middle = CGAL::midpoint(p, q);
@@ -568,8 +567,8 @@ TEST_CASE("Simplification: a closed constrained polyline stays one, with vertice
   REQUIRE(constrained.size() == 40);
   std::set<Point_3> before;
   for(auto e : constrained) before.insert(mesh.point(mesh.vertex(e, 0)));
-  // An edge of length zero at a vertex of the polyline, in a facet with one of its edges, does not tear it: another
-  // edge is split at its very end.
+  // An edge of length zero at a vertex of the polyline, in a facet with one of its edges, must not interrupt it.
+  // Therefore, another edge is split at its very end.
   const auto h = mesh.prev(mesh.halfedge(*constrained.begin()));
   const auto half = CGAL::Euler::split_edge(h, mesh);
   mesh.point(mesh.target(half)) = mesh.point(mesh.target(h));
@@ -600,7 +599,7 @@ TEST_CASE("Simplification: a closed constrained polyline stays one, with vertice
 
 TEST_CASE("Simplification: without success a map of constrained edges says what it said")
 {
-  // A constrained edge of length zero is never collapsed, and then there is no certificate.
+  // A constrained edge of length zero is never collapsed, so there is no certificate.
   Mesh mesh = fine_box();
   Edge_set constrained = edges_between(
     mesh, [](const Point_3& p, const Point_3& q) { return is_at_edge_of_box(CGAL::midpoint(p, q)); });
@@ -627,7 +626,7 @@ TEST_CASE("Simplification: edges of length zero are collapsed, and the result is
 {
   Mesh mesh = sphere(2);
   const std::size_t facets = mesh.number_of_faces();
-  // a vertex splits into two at the same place, with two facets that have no area between them
+  // A vertex is split into two at the same place, with two facets of area zero between them.
   const auto h = *mesh.halfedges().begin();
   const Point_3 p = mesh.point(mesh.target(h));
   const auto split = CGAL::Euler::split_vertex(
@@ -660,7 +659,7 @@ TEST_CASE("Simplification: on request facets that are not in the shell are froze
   CHECK(result.images[7] == Mesh::Vertex_index(7));
   for(auto v : CGAL::vertices_around_target(start.halfedge(Mesh::Vertex_index(7)), start))
     CHECK(result.images[v.idx()] == v);
-  // a fan that winds twice, at each pole
+  // The fan at each pole winds twice.
   const Mesh folded = sliced_sphere(25, 12, 2);
   mesh = folded;
   const auto of_folded = simplify(mesh, sphere_shell(), P::freeze_rejected_facets(true));
@@ -668,7 +667,7 @@ TEST_CASE("Simplification: on request facets that are not in the shell are froze
   CHECK(of_folded.offending_simplices.vertices == std::vector<std::size_t>{ 0, 1 });
   CHECK(of_folded.frozen_facets.size() == 50);
   CHECK(2 * of_folded.facets < of_folded.facets_before);
-  // nothing to freeze
+  // Nothing needs to be frozen.
   Mesh one = sphere(2), other = one;
   REQUIRE(simplify(one, sphere_shell(), CGAL::parameters::default_values()));
   const auto certified = simplify(other, sphere_shell(), P::freeze_rejected_facets(true));
@@ -679,7 +678,7 @@ TEST_CASE("Simplification: on request facets that are not in the shell are froze
 
 TEST_CASE("Simplification: edges of length zero vanish beside frozen facets, and are frozen at them")
 {
-  // a vertex and one at the same place, with two facets that have no area between them
+  // Splits a vertex into two at the same place, with two facets of area zero between them.
   const auto add_zero_edge = [](Mesh& mesh, Mesh::Vertex_index v) {
     const auto h = mesh.halfedge(v);
     const Point_3 p = mesh.point(v);
@@ -735,7 +734,7 @@ TEST_CASE("Simplification: what cannot be simplified is refused with a reason, a
   const auto outside = refused(mesh, sphere_shell());
   CHECK(outside.status == Status::NOT_IN_SHELL);
   CHECK(outside.offending_simplices.facets.size() >= 5);
-  // two spheres in one shell: each facet is good, but the mesh covers the shell twice
+  // Two spheres are in one shell: each facet is accepted, but the mesh covers the shell twice.
   mesh = sphere(2);
   CGAL::copy_face_graph(sphere(2, 0.98), mesh);
   const auto twice = refused(mesh, sphere_shell());
@@ -779,7 +778,7 @@ TEST_CASE("Simplification and remeshing: of a mesh of another kernel with double
   const auto target = P::stop(BS::Facet_count_stop_predicate(400));
   Mesh mesh;
   Other_mesh other;
-  CGAL::copy_face_graph(torus(1, 0.4, 40, 20), mesh); // edges in the same order
+  CGAL::copy_face_graph(torus(1, 0.4, 40, 20), mesh); // edges are in the same order
   CGAL::copy_face_graph(torus(1, 0.4, 40, 20), other);
   REQUIRE(BS::simplify_in_shell(mesh, torus_shell(), target));
   REQUIRE(BS::simplify_in_shell(other, torus_shell(), target));

@@ -1,5 +1,5 @@
-// Splines on cells of different sizes: against their definition in exact arithmetic, polynomials, and themselves on
-// other cells.
+// Splines on cells of different sizes are compared with their definition in exact arithmetic, with polynomials, and
+// with themselves on other cells.
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 #include "exact_spline.h"
@@ -30,7 +30,7 @@ typedef std::array<int, 3> Order;
 const double eps = std::numeric_limits<double>::epsilon();
 const BS::Lattice_3 lattice(CGAL::Bbox_3(9, -1, -4, 11, 2, 1), 0.3);
 
-// three levels, with holes and negative coordinates
+// Returns cells of three levels, with holes and negative coordinates.
 Hierarchy some_cells_of_three_sizes(CGAL::Random& random, double share = 0.85)
 {
   return random_hierarchy(random, some_cells(random, lattice, { -6, -3, -2 }, { 4, 1, 1 }, share), 3);
@@ -43,7 +43,7 @@ Eigen::VectorXd random_vector(CGAL::Random& random, std::size_t size)
   return x;
 }
 
-// small integers: what is computed from them by halving is exact
+// Returns small integers; repeated halving of these is exact.
 Eigen::VectorXd random_integers(CGAL::Random& random, std::size_t size)
 {
   Eigen::VectorXd x((Eigen::Index(size)));
@@ -63,7 +63,7 @@ int level_of_point(const Field& field, Index n)
   return l;
 }
 
-// calls visit(cell) for the 64 cells of its level that the function at a lattice point acts on
+// Calls visit(cell) for the 64 cells in the support of the function at a lattice point.
 template <typename Visitor>
 void for_each_cell_of_function(const Lattice_point& g, const Visitor& visit)
 {
@@ -72,7 +72,7 @@ void for_each_cell_of_function(const Lattice_point& g, const Visitor& visit)
       for(int i = -2; i <= 1; ++i) visit(Lattice_point{ g[0] + i, g[1] + j, g[2] + k });
 }
 
-// the smallest and the largest leaf that a function acts on, by their levels
+// Returns the levels of the smallest and the largest leaf in the support of a function.
 std::pair<int, int> levels_under(const Field& field, const Smallest_cells& smallest, int level, const Lattice_point& g)
 {
   std::pair<int, int> levels(-1, 100);
@@ -90,7 +90,8 @@ std::pair<int, int> levels_under(const Field& field, const Smallest_cells& small
   return levels;
 }
 
-// The definition: the coefficient that a function of a level has, from free ones by the two-scale relation.
+// The definition: the coefficient of any function of a level, computed from free coefficients by the two-scale
+// relation.
 class Exact_coefficients
 {
 public:
@@ -105,7 +106,7 @@ public:
       const Index n = m_field->first_point(level) + m_field->points(level).index(g);
       sum = Rational(m_field->coefficients()[m_field->coefficient_of_point(n)]);
     } else {
-      // B(x) is the sum of (1, 4, 6, 4, 1) / 8 times B(2x - n), n = -2 ... 2
+      // B(x) is the sum of (1, 4, 6, 4, 1) / 8 times B(2x - n), n = -2 ... 2.
       const int mask[5] = { 1, 4, 6, 4, 1 };
       const auto half = [](int i) { return int(std::floor(i / 2.)); };
       for(int k = half(g[2]) - 1; k <= half(g[2]) + 1; ++k)
@@ -120,7 +121,7 @@ public:
     return sum;
   }
 
-  // the field, or a derivative, at local coordinates of a leaf
+  // Returns the field, or a derivative, at local coordinates of a leaf.
   Rational value(Index c, const Exact_point& t, const Order& order)
   {
     const int level = m_field->cells().level(c);
@@ -160,7 +161,7 @@ double off(double x, const Rational& exact)
   return std::abs(CGAL::to_double(Rational(Rational(x) - exact)));
 }
 
-// as for uniform fields, with the radius of the leaf
+// Returns a tolerance as for uniform fields, with the error radius of the leaf.
 double tolerance(const Field& field, Index c, int order)
 {
   double largest = 0;
@@ -169,14 +170,14 @@ double tolerance(const Field& field, Index c, int order)
   return (field.cell(c).error_radius() + 200 * eps * largest) * (order == 0 ? 1 : order == 1 ? 6 / w : 36 / (w * w));
 }
 
-// the coefficients, on a cell, of the functions of the next level in one of its octants
+// Returns the coefficients of the next level in one octant of a cell.
 std::array<double, 64> two_scale(std::array<double, 64> x, int octant)
 {
   for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4)
     for(int n = 0; n < 64; ++n) {
       if((n / stride) % 4 != 0) continue;
       double* c = &x[n];
-      // at -1/2, 0, 1/2, 1, 3/2 and 2
+      // values at -1/2, 0, 1/2, 1, 3/2 and 2
       const double at[6] = { (c[0] + c[stride]) / 2,
                              (c[0] + 6 * c[stride] + c[2 * stride]) / 8,
                              (c[stride] + c[2 * stride]) / 2,
@@ -188,7 +189,7 @@ std::array<double, 64> two_scale(std::array<double, 64> x, int octant)
   return x;
 }
 
-// all 64 coefficients of its level that act on a leaf
+// Returns all 64 coefficients of a leaf's level that act on the leaf.
 std::array<double, 64> local_coefficients(const Field& field, const Eigen::VectorXd& all, Index c)
 {
   const std::array<Index, 16> rows = field.coefficient_rows(c);
@@ -208,7 +209,7 @@ TEST_CASE(
     const Smallest_cells smallest(field.cells());
     std::size_t wrong = 0, dependent = 0, points = 0;
     Index free = 0;
-    // finest level first
+    // the finest level comes first
     for(int l = field.number_of_levels() - 1; l >= 0; --l) {
       CHECK(field.first_point(l) == points);
       points += field.points(l).size();
@@ -231,7 +232,7 @@ TEST_CASE(
         wrong += (coefficient != Field::npos) != (levels.second >= l);
         if(coefficient == Field::npos) {
           ++dependent;
-          wrong += levels.second != l - 1; // never more than one level above
+          wrong += levels.second != l - 1; // the largest leaf is exactly one level coarser
           double sum = 0;
           field.visit_parents(l, g, [&](Index parent, double weight) {
             wrong += parent >= field.number_of_coefficients();
@@ -256,7 +257,7 @@ TEST_CASE("hierarchical fields: around a leaf that is refined, all functions of 
 {
   CGAL::Random random(4);
   for(int levels = 1; levels <= 2; ++levels) {
-    // far from the border, or else some are not
+    // The leaf is far from the border; otherwise, some functions would be missing.
     Hierarchy cells(some_cells(random, lattice, { -5, -5, -5 }, { 5, 5, 5 }));
     const std::array<double, 3> middle = { lattice.origin()[0] + 0.1, lattice.origin()[1] + 0.1,
                                            lattice.origin()[2] + 0.1 };
@@ -266,8 +267,7 @@ TEST_CASE("hierarchical fields: around a leaf that is refined, all functions of 
     const Lattice_point p = cells.lattice_point(marked);
     const Field field(cells.refined({ marked }));
     int free = 0;
-    // of the ten cells a side around what was marked, 2 p - 4 and on, the first and the last four are those of
-    // functions
+    // Refinement creates ten cells per side, from 2 p - 4 on. Seven functions per side are supported by them.
     for(int k = -2; k < 5; ++k)
       for(int j = -2; j < 5; ++j)
         for(int i = -2; i < 5; ++i) {
@@ -286,7 +286,7 @@ TEST_CASE("hierarchical fields: value, gradient and Hessian are those of the def
   field.set_coefficients(random_vector(random, field.number_of_coefficients()));
   Exact_coefficients oracle(field);
   for(int n = 0; n < 60; ++n) {
-    // from all levels
+    // leaves of all levels
     const int l = n % 3;
     const Index first = field.cells().first_leaf(l);
     const Index end = l < 2 ? field.cells().first_leaf(l + 1) : Index(field.number_of_cells());
@@ -326,8 +326,8 @@ TEST_CASE(
   CHECK(wrong == 0);
   CHECK(*field.value(point_in_cell(field, 0, { 0.3, 0.7, 0.2 })) == Approx(1).epsilon(1e-14));
 
-  // in units of the smallest cells; the coefficient of x^n is its polar form at (g - h, g, g + h), of 3 x^2 to stay
-  // with integers
+  // In units of the smallest cells, the coefficient of x^n is its polar form at (g - h, g, g + h). For integer
+  // coefficients, 3 x^2 replaces x^2.
   const auto factor = [](int a, int b, int c) { return (1 + a + 5 * b * b + 11 * c) % 13 - 6; };
   const auto polar = [](int n, int g, int h) {
     return n == 0 ? 1 : n == 1 ? g : n == 2 ? 3 * g * g - h * h : g * g * g - g * h * h;
@@ -374,15 +374,15 @@ TEST_CASE("hierarchical fields: leaves of any size agree on their common faces i
       field.visit_neighbors(c, a, true, [&](Index n) { neighbors.push_back(n); });
       for(Index n : neighbors) {
         const int level = field.cells().level(c), other_level = field.cells().level(n);
-        // faces between equal leaves are many
+        // Faces between equal leaves are frequent, so fewer of them are checked.
         if(level == other_level ? c % 64 != 0 : c % 4 != 0) continue;
         ++(level == other_level ? equal : different);
         const std::array<Rational, 64> b = field.bernstein_coefficients<Rational>(c),
                                        d = field.bernstein_coefficients<Rational>(n);
         const Index small = level < other_level ? n : c;
         const Rational w(field.cells().width(c)), v(field.cells().width(n));
-        // Derivatives across the face are polynomials of degree three in each coordinate: sixteen points decide for all
-        // of the face, and for all derivatives along it.
+        // On the face, derivatives across it are polynomials of degree three in each coordinate. Sixteen points
+        // determine these, and all derivatives along the face.
         for(int j = 0; j < 4; ++j)
           for(int i = 0; i < 4; ++i) {
             Exact_point p;
@@ -400,7 +400,7 @@ TEST_CASE("hierarchical fields: leaves of any size agree on their common faces i
               scale_n *= v;
             }
           }
-        // the third derivative, the difference of second ones, may jump
+        // The third derivative, a difference of second ones, may jump.
         const Exact_point begin = { 0, 0, 0 };
         Exact_point one = begin;
         one[a] = 1;
@@ -409,7 +409,7 @@ TEST_CASE("hierarchical fields: leaves of any size agree on their common faces i
         if(level == other_level)
           differ_in_third += bernstein_value(b, one, second) - bernstein_value(b, begin, second)
                              != bernstein_value(d, one, second) - bernstein_value(d, begin, second);
-        // copies of both, rounded, agree as far as they claim to
+        // The rounded copies on both sides agree within their tolerances.
         const Point p = point_in_cell(field, small, { 0.3, 0.6, 0.8 });
         std::array<double, 3> q = { p.x(), p.y(), p.z() };
         q[std::size_t(a)] = field.cells().corner(n)[a];
@@ -462,7 +462,7 @@ TEST_CASE("hierarchical fields: a field is one on finer cells as well")
                                        int(seed - 10));
     Field field(cells);
     field.set_coefficients(random_integers(random, field.number_of_coefficients()));
-    // several rounds, at leaves of all sizes
+    // several rounds, with leaves of all sizes
     for(int round = 0; round < 2; ++round) {
       std::vector<Index> leaves = random_leaves(random, cells, 1);
       leaves.push_back(Index(random.get_int(0, int(cells.number_of_cells()))));
@@ -470,7 +470,8 @@ TEST_CASE("hierarchical fields: a field is one on finer cells as well")
     }
     Field finer(cells);
     REQUIRE(finer.number_of_coefficients() > field.number_of_coefficients());
-    // the coefficients of each level that the field has on each leaf; every function has the same on all of them
+    // For each leaf of the finer field, compute the coefficients of its level that give the old field. Each function
+    // must get the same coefficient from all leaves.
     const Eigen::VectorXd all = field.extend(field.coefficients());
     const double unknown = 1e9;
     Eigen::VectorXd wanted = Eigen::VectorXd::Constant(Eigen::Index(finer.number_of_points()), unknown);
@@ -492,7 +493,7 @@ TEST_CASE("hierarchical fields: a field is one on finer cells as well")
     CHECK(contradictions == 0);
     Eigen::VectorXd x((Eigen::Index(finer.number_of_coefficients())));
     for(Index n = 0; n < finer.number_of_coefficients(); ++n) x[n] = wanted[finer.point_of_coefficient(n)];
-    // the dependent ones are what they are to be
+    // Dependent coefficients have the expected values.
     CHECK((finer.extend(x) == wanted));
     finer.set_coefficients(x);
     for(int n = 0; n < 40; ++n) {
@@ -556,8 +557,8 @@ TEST_CASE(
 TEST_CASE("hierarchical fields: the error radius is that of large coefficients, also where dependent ones are small "
           "averages of these")
 {
-  // Of the largest cells, with signs like the colors of a chessboard: averages of as many of each sign nearly vanish,
-  // but for rounding.
+  // The coefficients of the largest cells have checkerboard signs. Averages of equally many of each sign nearly vanish,
+  // up to rounding.
   CGAL::Random random(16);
   Field field(some_cells_of_three_sizes(random, 1));
   Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
@@ -589,9 +590,9 @@ TEST_CASE("hierarchical fields: collect is the transposed of extend")
   for(int n = 0; n < 5; ++n) {
     const Eigen::VectorXd x = random_integers(random, field.number_of_coefficients()),
                           y = random_integers(random, field.number_of_points());
-    CHECK(field.extend(x).dot(y) == x.dot(field.collect(y))); // sums of multiples of 1/512: exact
+    CHECK(field.extend(x).dot(y) == x.dot(field.collect(y))); // exact: sums of multiples of 1/512
   }
-  // free coefficients are themselves, and dependent ones are those of the definition
+  // Free coefficients are kept; dependent ones agree with the definition.
   Field other = field;
   other.set_coefficients(random_vector(random, field.number_of_coefficients()));
   const Eigen::VectorXd all = other.extend(other.coefficients());
@@ -620,7 +621,7 @@ TEST_CASE("hierarchical fields: where a coefficient is no number nothing is clai
       y[n] = bad;
       Field other = field;
       other.set_coefficients(y);
-      // the leaves on which its function does not vanish
+      // the leaves on which the basis function does not vanish
       const Eigen::VectorXd acting = field.extend(Eigen::VectorXd::Unit(x.size(), n));
       std::size_t claimed = 0, lost = 0, affected = 0;
       for(Index c = 0; c < field.number_of_cells(); ++c) {
@@ -678,7 +679,7 @@ TEST_CASE("hierarchical fields: a parallel change of coefficients gives the same
 {
   CGAL::Random random(18);
   Field sequential(some_cells_of_three_sizes(random));
-  REQUIRE(sequential.number_of_cells() > 1000); // several chunks
+  REQUIRE(sequential.number_of_cells() > 1000); // enough for several chunks
   Field parallel = sequential;
   const Eigen::VectorXd x = random_vector(random, sequential.number_of_coefficients());
   sequential.set_coefficients<CGAL::Sequential_tag>(x);

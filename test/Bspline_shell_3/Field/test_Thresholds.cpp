@@ -1,4 +1,4 @@
-// Thresholds.h: splines that are the same number on most cells, against exact arithmetic.
+// Thresholds.h: splines that are constant on most cells, compared with exact arithmetic.
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include "random_hierarchies.h"
 
@@ -31,7 +31,7 @@ TEST_CASE(
   Field field(cells);
   Eigen::VectorXd x = Eigen::VectorXd::Constant(Eigen::Index(field.number_of_coefficients()), 0.125);
   for(int n = 0; n < 3; ++n) x[random.get_int(0, int(x.size()))] = random.get_double(0.05, 0.2);
-  // weighted sums of these and others are rounded to the others
+  // Some averages of these with other coefficients are rounded to the latter.
   for(int n = 0; n < 20; ++n) x[random.get_int(0, int(x.size()))] = std::nextafter(0.125, n % 2);
   field.set_coefficients(x);
   const BS::Spline_threshold<Field> threshold(field);

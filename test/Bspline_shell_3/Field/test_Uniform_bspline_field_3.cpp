@@ -1,4 +1,4 @@
-// A tricubic spline on sparse cells against closed forms and against its definition, summed in exact arithmetic.
+// A tricubic spline on sparse cells is compared with closed forms, and with its definition, summed in exact arithmetic.
 #include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 #include "exact_spline.h"
 
@@ -21,7 +21,7 @@ typedef BS::Lattice_key Key;
 
 const double eps = std::numeric_limits<double>::epsilon();
 
-// cells in [first, last]^3 of a lattice with a spacing that is no power of two; some are missing
+// Returns cells in [first, last]^3, some of which are missing. The spacing of the lattice is not a power of two.
 BS::Cell_complex_3 sparse_cells(CGAL::Random& random, int first, int last, double share)
 {
   const BS::Lattice_3 lattice(CGAL::Bbox_3(9, -1, -4, 11, 2, 1), 0.3);
@@ -47,8 +47,8 @@ Point point_in_cell(const Field& field, Field::Cell_index c, double x, double y,
   return Point(corner[0] + x * w, corner[1] + y * w, corner[2] + z * w);
 }
 
-// How far an evaluated value may be from that of the spline: the cell's radius, and roundings in local coordinates
-// (one, times a derivative of at most 6 an axis), weights (five an axis) and sums (four an axis).
+// Returns an upper bound of the error of an evaluated value: the cell's radius, and roundings in local coordinates
+// (one, times a derivative of at most 6 per axis), weights (five per axis) and sums (four per axis).
 double tolerance(const Field& field, Field::Cell_index c)
 {
   double largest = 0;
@@ -56,7 +56,7 @@ double tolerance(const Field& field, Field::Cell_index c)
   return field.cell(c).error_radius() + 64 * eps * largest;
 }
 
-// a derivative's Bernstein weights sum, without their signs, to at most 6, a second derivative's to at most 24
+// The absolute Bernstein weights of a derivative sum to at most 6; those of a second derivative, to at most 24.
 double tolerance(const Field& field, Field::Cell_index c, int order)
 {
   const double w = field.cells().width();
@@ -101,9 +101,10 @@ TEST_CASE(
 {
   CGAL::Random random(2);
   Field field(sparse_cells(random, -2, 2, 0.6));
-  // in units of the lattice; coefficients that no symmetry can hide
+  // Coefficients are in units of the lattice, and not symmetric.
   const auto factor = [](int a, int b, int c) { return (1 + a + 5 * b * b + 11 * c) % 13 - 6; };
-  // The spline coefficient of x^n at g is its polar form at (g-1, g, g+1); 3 x^2 to stay with integers.
+  // The spline coefficient of x^n at g is its polar form at (g-1, g, g+1). For integer coefficients, 3 x^2 replaces
+  // x^2.
   const auto polar = [](int n, int g) { return n == 0 ? 1 : n == 1 ? g : n == 2 ? 3 * g * g - 1 : g * g * g - g; };
   Eigen::VectorXd x = Eigen::VectorXd::Zero(field.number_of_coefficients());
   for(Field::Cell_index g = 0; g < field.number_of_coefficients(); ++g) {
@@ -113,7 +114,7 @@ TEST_CASE(
         for(int c = 0; c < 4; ++c) x[g] += factor(a, b, c) * polar(a, p[0]) * polar(b, p[1]) * polar(c, p[2]);
   }
   field.set_coefficients(x);
-  // the n-th derivative of x^a (of 3 x^2 for a = 2)
+  // Returns the n-th derivative of x^a (of 3 x^2 for a = 2).
   const auto power = [](const Rational& u, int a, int n) {
     Rational r(a == 2 ? 3 : 1);
     for(int m = 0; m < n; ++m) r *= a - m;
@@ -133,7 +134,7 @@ TEST_CASE(
     const Point p = point_in_cell(field, c, random.get_double(), random.get_double(), random.get_double());
     REQUIRE(field.locate(p) == c);
     const Exact_point u = lattice_coordinates(field, exact(p));
-    CHECK(exact_value(field, exact(p)) == polynomial(u, { 0, 0, 0 })); // the oracle reproduces it as well
+    CHECK(exact_value(field, exact(p)) == polynomial(u, { 0, 0, 0 })); // checks the oracle as well
     CHECK(off(*field.value(p), polynomial(u, { 0, 0, 0 })) <= tolerance(field, c));
     const Field::Vector_3 gradient = *field.gradient(p);
     const Eigen::Matrix3d hessian = *field.hessian(p);
@@ -178,7 +179,7 @@ TEST_CASE("fields: derivatives are the limits of difference quotients")
                                   random.get_double(.1, .9));
     for(int a = 0; a < 3; ++a) {
       const Field::Vector_3 step(a == 0 ? h : 0, a == 1 ? h : 0, a == 2 ? h : 0);
-      // third derivatives are at most 8 / w^3: the quotient's error is 8/6 h^2 / w^3 and some eps / h
+      // Third derivatives are at most 8 / w^3, so the error of the quotient is 8/6 h^2 / w^3, plus a few eps / h.
       const double error = 2e-8 / w;
       CHECK(((*field.value(p + step) - *field.value(p - step)) / (2 * h))
             == Approx((*field.gradient(p))[a]).margin(error));
@@ -194,7 +195,7 @@ TEST_CASE("fields: cells on both sides of a face agree on it in value, gradient 
   Field field(sparse_cells(random, -1, 2, 0.5));
   field.set_coefficients(random_coefficients(random, field.number_of_coefficients()));
   typedef BS::Cubic_bspline<Rational> Basis;
-  // the derivative of one cell's polynomial, exactly, from the 64 coefficients that it says act on it
+  // Returns a derivative of one cell's polynomial, exactly, from the cell's 64 coefficients.
   const auto on_cell = [&](Field::Cell_index c, const Exact_point& p, const std::array<int, 3>& order) {
     const std::array<double, 64> local = field.local_coefficients(c);
     Basis::Weights w[3];
@@ -226,7 +227,7 @@ TEST_CASE("fields: cells on both sides of a face agree on it in value, gradient 
         CHECK(value == on_cell(n, exact(p), order));
         CHECK(value == exact_value(field, exact(p), order));
       }
-      // the rounded copies agree as far as they claim to
+      // The rounded copies agree within their tolerances.
       CHECK(std::abs(field.cell(c).value(p) - field.cell(n).value(p)) <= tolerance(field, c) + tolerance(field, n));
     }
   CHECK(faces > 20);
@@ -251,7 +252,7 @@ TEST_CASE("fields: the error radius bounds how far a cell's Bernstein coefficien
             { b[n], b[n + stride], b[n + 2 * stride], b[n + 3 * stride] });
           for(int m = 0; m < 4; ++m) b[n + m * stride] = r[m];
         }
-      // both are Bernstein forms: they differ nowhere by more than their coefficients do
+      // Both functions are Bernstein forms, so they nowhere differ by more than their coefficients.
       const Rational radius(field.cell(c).error_radius());
       double largest = 0;
       for(double y : local) largest = (std::max)(largest, std::abs(y));
@@ -265,7 +266,7 @@ TEST_CASE("fields: the error radius bounds how far a cell's Bernstein coefficien
       CHECK(within);
       if(scale > 1e-300) CHECK(field.cell(c).error_radius() <= 1e-14 * largest);
     }
-    CHECK(rounded > 100); // the claim is not empty
+    CHECK(rounded > 100); // rounding occurs, so the test is not vacuous
   }
 }
 
@@ -300,7 +301,7 @@ TEST_CASE("fields: a cell's polynomial is within the error radius of Eq. 3.3, ev
   field.set_coefficients(random_coefficients(random, field.number_of_coefficients()));
   for(int n = 0; n < 30; ++n) {
     const Field::Cell_index c = random.get_int(0, int(field.number_of_cells()));
-    // corners and faces too
+    // includes corners and faces
     const Rational t[3] = { Rational(n % 3) / 2, Rational(n % 5) / 4, Rational(n % 7) / 6 };
     Exact_point p;
     std::array<Rational, 4> b[3];
@@ -340,7 +341,7 @@ TEST_CASE("fields: there is no value outside the cells")
 TEST_CASE("fields: a parallel change of coefficients gives the same cells, bit for bit")
 {
   CGAL::Random random(9);
-  Field sequential(sparse_cells(random, -5, 5, 0.8)); // several chunks
+  Field sequential(sparse_cells(random, -5, 5, 0.8)); // enough for several chunks
   REQUIRE(sequential.number_of_cells() > 1000);
   Field parallel = sequential;
   const Eigen::VectorXd x = random_coefficients(random, sequential.number_of_coefficients());

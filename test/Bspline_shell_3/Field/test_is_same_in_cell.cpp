@@ -1,4 +1,4 @@
-// is_same_in_cell.h: the same numbers, in the cells where no coefficient has changed, whatever their numbers.
+// is_same_in_cell.h: fields are the same in a cell if no coefficient there has changed, even if cells were renumbered.
 #include <CGAL/Bspline_shell_3/Field/is_same_in_cell.h>
 #include "random_hierarchies.h"
 
@@ -31,7 +31,7 @@ TEST_CASE(
   for(int n = 0; n < 10; ++n) {
     const Index u = Index(random.get_int(0, int(x.size())));
     Eigen::VectorXd y = x;
-    // of a function on small cells, a change of the last digit may vanish in sums
+    // A change of the last digit would not suffice: for a function on small cells, it may vanish in sums.
     y[u] = n % 2 == 0 ? x[u] + 1e-9 : -x[u];
     g.set_coefficients(y);
     std::size_t wrong = 0;

@@ -1,4 +1,4 @@
-// refined_coefficients.h, visit_parent_points.h: the same function on finer cells.
+// refined_coefficients.h, visit_parent_points.h: the function stays the same on finer cells.
 #include "random_hierarchies.h"
 
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
@@ -27,7 +27,7 @@ Eigen::VectorXd random_coefficients(CGAL::Random& random, const Field& field)
   return x;
 }
 
-// cells with a few more split, at random levels
+// Returns the cells after a few more splits, at random levels.
 Hierarchy finer(CGAL::Random& random, const Hierarchy& cells, int times)
 {
   Hierarchy result = cells;
@@ -60,8 +60,8 @@ TEST_CASE(
                          corner[2] + w * random.get_double());
         worst = (std::max)(worst, std::abs(after.value(at).value() - before.value(at).value()));
       }
-      // Coefficients are integers, and sums of multiples of powers of two: exact, so that leaves that were there have
-      // the same function.
+      // Coefficients are integers, and weights are multiples of powers of two. Sums are exact, so old leaves keep their
+      // function.
       const Index old = after.cells().level(c) < before.number_of_levels()
                           ? before.cells().leaf(after.cells().level(c), after.cells().lattice_point(c))
                           : Field::npos;

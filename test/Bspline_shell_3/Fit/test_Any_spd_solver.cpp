@@ -1,4 +1,4 @@
-// Any_spd_solver.h: a solution that does not solve the system is noticed.
+// Any_spd_solver.h: wrong solutions are detected.
 #include <CGAL/Bspline_shell_3/Fit/Any_spd_solver.h>
 
 #include <catch2/catch.hpp>
@@ -17,7 +17,7 @@ using BS::Solver_status;
 typedef Eigen::SparseMatrix<double> Matrix;
 typedef Eigen::VectorXd Vector;
 
-// returns what a function makes of the exact solution
+// A solver that applies a function to the exact solution.
 struct Solver
 {
   Solver_status compute(const Matrix& lower, const BS::Unknown_blocks&)
@@ -38,7 +38,7 @@ struct Solver
   Matrix matrix;
 };
 
-// the lower triangle of a positive definite matrix
+// Returns the lower triangle of a positive definite matrix.
 Matrix lower_matrix()
 {
   const int n = 12;
@@ -95,7 +95,7 @@ TEST_CASE("SPD solvers: zeros, numbers that are not a solution, and vectors of a
     };
     CHECK(status_of(solver) == Solver_status::NOT_FINITE);
   }
-  // a status other than success is passed on
+  // An unsuccessful status is passed on.
   solver.status = Solver_status::NOT_CONVERGED;
   CHECK(status_of(solver) == Solver_status::NOT_CONVERGED);
 }

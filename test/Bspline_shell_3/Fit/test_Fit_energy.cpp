@@ -1,5 +1,5 @@
-// Fit_energy.h, Normal_equations.h: the paper's energy against closed forms and finite differences, and the normal
-// equations against the energy.
+// Fit_energy.h, Normal_equations.h: the paper's energy is compared with closed forms and finite differences, and the
+// normal equations with the energy.
 #include "fit_problem.h"
 
 #include <Eigen/Cholesky>
@@ -19,8 +19,8 @@ constexpr Term all_terms[] = { Term::DISTANCE,         Term::SURFACE, Term::ANGL
 constexpr Term quadratic_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::NORMAL, Term::COEFFICIENTS };
 constexpr double everywhere = 1e9;
 
-// A cube of five cells on the lattice of integers, its sides in the middle of cells: user units are cell units, and
-// every piece of the mesh is a triangle or a rectangle that is large enough for quadrature to be exact to degree two.
+// A cube of five cells on the lattice of integers, with sides in the middle of cells. User units are cell units. Every
+// piece of the mesh is a triangle or a rectangle, large enough for quadrature to be exact to degree two.
 constexpr double half = 2.5;
 const Fit_problem& cube_problem()
 {
@@ -28,7 +28,7 @@ const Fit_problem& cube_problem()
   return problem;
 }
 
-// |x|^2 / 2 with signs: the Hessian is diagonal, its determinant the product of the signs
+// Returns |x|^2 / 2 with signs. The Hessian is diagonal; its determinant is the product of the signs.
 Eigen::VectorXd paraboloid(const Fit_problem& problem, double sx, double sy, double sz)
 {
   return problem.coefficients([&](double x, double y, double z) {
@@ -36,7 +36,7 @@ Eigen::VectorXd paraboloid(const Fit_problem& problem, double sx, double sy, dou
   });
 }
 
-// calls f(cell, point) for all samples
+// Calls f(cell, point) for all samples.
 template <typename Function>
 void for_each_sample(const Fit_problem& problem, const Function& f)
 {
@@ -49,7 +49,7 @@ void for_each_sample(const Fit_problem& problem, const Function& f)
   }
 }
 
-// the determinants of the Hessian at the samples of the chosen cells, cell units, by the field's own evaluation
+// Returns the determinants of the Hessian at the samples of the chosen cells, in cell units, by evaluating the field.
 std::vector<double> determinants(const Fit_problem& problem, const Eigen::VectorXd& x, const std::vector<char>& cells)
 {
   Field field = problem.field;
@@ -65,7 +65,7 @@ std::vector<double> determinants(const Fit_problem& problem, const Eigen::Vector
   return found;
 }
 
-// the cells with a sample between the levels, cell units
+// Returns the cells with a sample between the levels, in cell units.
 std::vector<char> cells_between(const Fit_problem& problem, const Eigen::VectorXd& x, double eps1, double eps2)
 {
   Field field = problem.field;
@@ -146,14 +146,14 @@ TEST_CASE("E_surface is the integral of the squared value over the facets")
   const Energy energy = problem.energy(all_terms_weighted());
   const double beta = energy.weight(Term::SURFACE), side = 4 * half * half;
   REQUIRE(beta == 30);
-  // of a constant, and of x: half^2 on two sides, and on the four others its mean square, half^2 / 3
+  // a constant; and x, which is half^2 squared on two sides, and half^2 / 3 in the mean square on the other four
   CHECK(energy.value(Term::SURFACE, problem.coefficients([](double, double, double) { return 3.; }))
         == Approx(beta * 6 * side * 9).epsilon(1e-12));
   CHECK(energy.value(Term::SURFACE, problem.coefficients([](double x, double, double) { return x; }))
         == Approx(beta * side * half * half * (2 + 4 / 3.)).epsilon(1e-12));
   const Eigen::VectorXd x = Deterministic_numbers(7).vector(problem.field.number_of_coefficients());
   CHECK(problem.energy().value(Term::SURFACE, x) == 0);
-  // the sum of all terms has it
+  // The sum of all terms includes this term.
   double sum = 0;
   for(Term term : quadratic_terms) sum += energy.value(term, x);
   CHECK(energy.value(x) == Approx(sum).epsilon(1e-14));
@@ -166,7 +166,7 @@ TEST_CASE("E_surface counts more in cells with larger factors, and nothing else 
   const Eigen::VectorXd x = problem.coefficients([](double, double, double) { return 1.; });
   const double all = energy.value(Term::SURFACE, x);
   const double others = energy.value(x) - all;
-  // three times as much on the one half of the cube
+  // The factor is three on one half of the cube.
   std::vector<float> factors(problem.field.number_of_cells(), 1);
   for(Field::Cell_index c = 0; c < factors.size(); ++c)
     if(problem.field.cell(c).bbox().xmax() <= 0) factors[c] = 3;
@@ -183,19 +183,20 @@ TEST_CASE("E_angle and E_normal of linear and quadratic functions on a cube are 
   const double mu = energy.weight(Term::ANGLE), mu_zeta = energy.weight(Term::NORMAL);
   const double side = 4 * half * half;
 
-  // f = x: gradient and normal agree on one side of the cube, are opposite on another, and orthogonal on four
+  // f = x: gradient and normal agree on one side of the cube, are opposite on another side, and orthogonal on four
+  // sides.
   const Eigen::VectorXd linear = problem.coefficients([](double x, double, double) { return x; });
   CHECK(energy.value(Term::ANGLE, linear) == Approx(mu * side * (0 + 4 + 4 * 2)).epsilon(1e-12));
   CHECK(energy.value(Term::NORMAL, linear) == Approx(mu_zeta * side * (0 + 4 + 4 * 1)).epsilon(1e-12));
 
-  // f = |x|^2 / 2: the gradient is x, its normal part `half` on each side
+  // f = |x|^2 / 2: the gradient is x; its normal part is `half` on each side.
   const Eigen::VectorXd quadratic = paraboloid(problem, 1, 1, 1);
   const double second_moment = side * 4 * half * half / 12;
   CHECK(energy.value(Term::ANGLE, quadratic)
         == Approx(mu * 6 * (side * (half - 1) * (half - 1) + 2 * second_moment)).epsilon(1e-12));
   CHECK(energy.value(Term::NORMAL, quadratic) == Approx(mu_zeta * 6 * side * (half - 1) * (half - 1)).epsilon(1e-12));
 
-  // f = |x|^2 / 5: the normal part is one everywhere
+  // f = |x|^2 / 5: the normal part of the gradient is one everywhere.
   CHECK(energy.value(Term::NORMAL, quadratic / half) < 1e-20 * mu_zeta * side);
 }
 
@@ -205,7 +206,7 @@ TEST_CASE("E_singularH is the integral of |det H| over the cells in the shell")
   Energy energy = problem.energy();
   const double weight = energy.weight(Term::SINGULAR_HESSIAN);
   for(double sign : { 1., -1. }) {
-    const Eigen::VectorXd x = paraboloid(problem, 1, 1, sign); // det H = sign, everywhere
+    const Eigen::VectorXd x = paraboloid(problem, 1, 1, sign); // det H = sign everywhere
     energy.set_singular_hessian_domain(x, -everywhere, everywhere);
     const double whole = weight * problem.field.number_of_cells();
     CHECK(energy.value(Term::SINGULAR_HESSIAN, x) == Approx(whole).epsilon(1e-12));
@@ -218,7 +219,7 @@ TEST_CASE("E_singularH is the integral of |det H| over the cells in the shell")
     energy.set_singular_hessian_domain(x, 1, 3);
     CHECK(energy.value(Term::SINGULAR_HESSIAN, x) == Approx(weight * size).epsilon(1e-12));
   }
-  CHECK(problem.energy().value(Term::SINGULAR_HESSIAN, paraboloid(problem, 1, 1, 1)) == 0); // no domain yet
+  CHECK(problem.energy().value(Term::SINGULAR_HESSIAN, paraboloid(problem, 1, 1, 1)) == 0); // no domain is set
 }
 
 TEST_CASE("The range on the mesh is that of the quadrature points, which lie inside the pieces")
@@ -240,16 +241,15 @@ TEST_CASE("E_coefficients is the squared difference of a coefficient to the dist
   weights.mu = 0;
   weights.coefficients = 0.5;
   const Energy energy = problem.energy(weights);
-  // in a cell, the energy is half of the sum of eight squared differences by the partition of unity, if all differ
-  // alike
+  // If all differences are equal, the functions' shares in each sample sum to one. The energy is then half of the
+  // squared difference per sample.
   const Eigen::VectorXd guess = energy.initial_guess();
   const std::vector<double> constant(problem.samples.size(), 3 * problem.width());
   const Energy of_constant(problem.field, constant, problem.clipped, problem.gamma(), weights);
   const Eigen::VectorXd five = Eigen::VectorXd::Constant(guess.size(), 5.);
   CHECK(of_constant.value(Term::COEFFICIENTS, five) == Approx(0.5 * 4 * double(problem.samples.size())).epsilon(1e-12));
   CHECK(problem.energy().value(Term::COEFFICIENTS, guess) == 0);
-  // one coefficient more than the minimizer's costs its share in all samples, and the minimizer is where the
-  // derivatives vanish
+  // The gradient vanishes at the minimizer. A change of one coefficient there costs its share in all samples.
   CHECK(energy.gradient(Term::COEFFICIENTS, guess).cwiseAbs().maxCoeff() < 1e-11);
   const double least = energy.value(Term::COEFFICIENTS, guess);
   const Eigen::Index middle = guess.size() / 2;
@@ -267,13 +267,13 @@ TEST_CASE("The initial guess extends the samples linearly")
 {
   const Fit_problem& problem = cube_problem();
   const Eigen::VectorXd guess = problem.energy().initial_guess();
-  // linear functions are reproduced, to rounding, also by functions that reach into the domain by a corner only
+  // Linear functions are reproduced up to rounding, even where a function reaches only a corner of the domain.
   const auto f = [](double x, double y, double z) { return 0.3 * x - 2 * y + z + 0.7; };
   std::vector<double> linear;
   for_each_sample(problem, [&](Field::Cell_index, const Point_3& p) { linear.push_back(f(p.x(), p.y(), p.z())); });
   const Energy energy(problem.field, linear, problem.clipped, problem.gamma(), all_four_terms());
   CHECK((energy.initial_guess() - problem.coefficients(f)).cwiseAbs().maxCoeff() < 1e-12);
-  // and a closed mesh's distance is near: nowhere off by more than the function's reach of two cells
+  // For a closed mesh, the guess is close to the distance: errors are less than two cells, the reach of a function.
   Field field = problem.field;
   field.set_coefficients(guess * problem.width());
   double worst = 0;
@@ -286,19 +286,19 @@ TEST_CASE("The initial guess extends the samples linearly")
 
 TEST_CASE("Gradients are the derivatives of the values")
 {
-  // a mesh with facets in all directions, and pieces of all sizes
+  // The mesh has facets in all directions, and pieces of all sizes.
   const Fit_problem problem(sphere(1), 4.3, 1);
   Energy energy = problem.energy(all_terms_weighted());
   Deterministic_numbers random(2);
   const std::size_t size = problem.field.number_of_coefficients();
   for(double sign : { 1., -1. }) {
-    // determinants near +-1: |det H| is smooth there
+    // Determinants are close to 1 or -1, where |det H| is smooth.
     const Eigen::VectorXd x = paraboloid(problem, 1, sign, 1) + 0.02 * random.vector(size);
     energy.set_singular_hessian_domain(x, -1, 3);
     const std::vector<char> cells = cells_between(problem, x, -1, 3);
     const double h = 1. / 256;
     for(int trial = 0; trial < 12; ++trial) {
-      // all coefficients at once, or one alone
+      // all coefficients change, or only one
       Eigen::VectorXd d = random.vector(size);
       if(trial >= 4) d = Eigen::VectorXd::Unit(size, std::size_t((1 + random()) / 2 * (size - 1)));
       double least = everywhere;
@@ -308,12 +308,12 @@ TEST_CASE("Gradients are the derivatives of the values")
       for(Term term : all_terms) {
         CAPTURE(int(term), trial, sign);
         const auto value = [&](double step) { return energy.value(term, Eigen::VectorXd(x + step * h * d)); };
-        // exact, but for rounding, as the terms are polynomials of degree two, or three, along a line
+        // Exact up to rounding, as the terms are polynomials of degree two or three along a line.
         const double difference = (8 * (value(1) - value(-1)) - (value(2) - value(-2))) / (12 * h);
-        // each value is a sum of less than 2^15 numbers, added up with relative errors that behave like a random walk
+        // Each value is a sum of less than 2^15 numbers; relative errors add up like a random walk.
         const double rounding = 2e-16 * 256 * value(0) * 18 / (12 * h);
         CHECK(std::abs(energy.gradient(term, x).dot(d) - difference) <= rounding);
-        // the rounding is far less than what is compared
+        // Rounding is far less than the compared values.
         if(trial < 4) CHECK(std::abs(difference) > 100 * rounding);
       }
     }
@@ -369,7 +369,7 @@ TEST_CASE("The normal equations are those of the quadratic terms")
     const double model = x.dot(full * x) - 2 * b.dot(x) + constant;
     CHECK(model == Approx(quadratic_value(x)).epsilon(1e-12));
   }
-  // positive definite: the samples alone decide every coefficient
+  // The matrix is positive definite, as the samples alone determine every coefficient.
   Energy_weights distance_only;
   distance_only.mu = 0;
   problem.energy(distance_only).assemble<CGAL::Sequential_tag>(A, b);
@@ -393,7 +393,7 @@ TEST_CASE("The fourth term's normal equations are the Gauss-Newton model of (det
   REQUIRE(small > 0);
   REQUIRE(std::size_t(small) < det.size());
 
-  // the Jacobian of the determinants: each is a cubic polynomial in each coefficient, for which this is exact
+  // The Jacobian of the determinants: each is a cubic polynomial in each coefficient, so the difference is exact.
   Eigen::MatrixXd J(det.size(), size);
   const double h = 0.25;
   for(std::size_t n = 0; n < size; ++n) {
@@ -418,7 +418,7 @@ TEST_CASE("The fourth term's normal equations are the Gauss-Newton model of (det
   added_A = A;
   added_b = b;
   energy.add_singular_hessian<CGAL::Sequential_tag>(x, eta, added_A, added_b);
-  // what is taken away again was up to mu zeta = 10^4 times the local area: twelve digits of that remain
+  // The subtracted entries are up to mu zeta = 10^4 times the local area, of which twelve digits remain.
   const double scale = symmetric(A).cwiseAbs().maxCoeff();
   CHECK((symmetric(added_A) - symmetric(A) - expected_A).cwiseAbs().maxCoeff() < 1e-12 * scale);
   CHECK((added_b - b - expected_b).cwiseAbs().maxCoeff() < 1e-12 * scale);
@@ -466,7 +466,7 @@ TEST_CASE("In cell units, the energy does not know how large the mesh is")
            o = odd.energy(all_terms_weighted());
     for(Energy* energy : { &e, &l, &o }) energy->set_singular_hessian_domain(x, -1, 1);
     REQUIRE(e.value(term, x) > 0);
-    CHECK(e.value(term, x) == l.value(term, x));                       // powers of two: exactly
+    CHECK(e.value(term, x) == l.value(term, x));                       // exact for a power of two
     CHECK(e.value(term, x) == Approx(o.value(term, x)).epsilon(1e-5)); // the lattice is rounded to 20 bits
   }
 }

@@ -1,4 +1,4 @@
-// Fit_energy.h, fit_field.h, Unknown_blocks.h on cells of different sizes: each counts in units of its own.
+// Fit_energy.h, fit_field.h, Unknown_blocks.h on cells of different sizes: each cell has its own units.
 #include "fit_problem.h"
 #include "random_hierarchies.h"
 
@@ -25,7 +25,7 @@ constexpr Term all_terms[] = { Term::DISTANCE,         Term::SURFACE, Term::ANGL
                                Term::SINGULAR_HESSIAN, Term::NORMAL,  Term::COEFFICIENTS };
 constexpr Term quadratic_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE, Term::NORMAL, Term::COEFFICIENTS };
 
-// a mesh, and leaves that are refined at one point of it
+// A mesh, and leaves that are refined at one point of it.
 struct Problem
 {
   BS::Input_mesh_3 input;
@@ -51,8 +51,8 @@ struct Problem
     return Hierarchical_energy(field, samples, clipped, input.unit() / root_width(), weights);
   }
 
-  // One for each free function: `f` of its lattice point in user units, and of the spacing of its level. A function
-  // that is linear, or whose square has a third of the squared spacing taken off, is that very polynomial.
+  // Returns a coefficient for each free function: `f` of its lattice point, in user units, and of the spacing of its
+  // level. Linear functions are reproduced, and so are squares if a third of the squared spacing is subtracted.
   template <typename Function>
   Eigen::VectorXd coefficients(const Function& f) const
   {
@@ -94,8 +94,8 @@ const Problem& sphere_problem()
   return problem;
 }
 
-// Its sides lie in the middle of root cells, and in planes between smaller ones: all pieces are triangles or rectangles
-// that are large enough for quadrature to be exact to degree two.
+// The sides of the cube are in the middle of root cells, and between smaller cells. All pieces are triangles or
+// rectangles, large enough for quadrature to be exact to degree two.
 const Problem& cube_problem()
 {
   static const Problem problem(box(Point_3(-2.5, -2.5, -2.5), Point_3(2.5, 2.5, 2.5)), 5, 2, Point_3(2.4, -2.4, 0.1),
@@ -103,7 +103,7 @@ const Problem& cube_problem()
   return problem;
 }
 
-// |x|^2 / 2 with signs
+// Returns |x|^2 / 2 with signs.
 Eigen::VectorXd paraboloid(const Problem& problem, double sx, double sy, double sz)
 {
   return problem.coefficients([&](double x, double y, double z, double w) {
@@ -111,7 +111,7 @@ Eigen::VectorXd paraboloid(const Problem& problem, double sx, double sy, double 
   });
 }
 
-// the integral over the pieces in leaves of a level of a function that is quadratic on each
+// Returns the integral of a function, which is quadratic on each piece, over the pieces in leaves of a level.
 template <typename Function>
 double integral(const Problem& problem, int level, const Function& f)
 {
@@ -168,7 +168,7 @@ TEST_CASE("On leaves of different size, integrals over facets of linear function
   for(int l = 0; l < 3; ++l) {
     const double w = problem.root_width() / (1 << l);
     const double squares = integral(problem, l, [&](const Point_3& p) { return f(p) * f(p); });
-    CHECK(squares > 0); // all sizes count
+    CHECK(squares > 0); // leaves of all sizes contribute
     surface += squares / (w * w) / (w * w);
   }
   for(const BS::Clipped_mesh_3::Piece& piece : problem.clipped.pieces()) {
@@ -189,7 +189,7 @@ TEST_CASE("On leaves of different size, the range on the mesh and the domain of 
 {
   const Problem& problem = cube_problem();
   Hierarchical_energy energy = problem.energy();
-  // a linear function, in root cells
+  // A linear function, in root cells.
   const Eigen::VectorXd linear = problem.coefficients([](double x, double y, double, double) { return x + 10 * y; });
   const std::pair<double, double> range = energy.range_on_mesh(linear);
   CHECK(range.second <= 27.5);
@@ -197,7 +197,7 @@ TEST_CASE("On leaves of different size, the range on the mesh and the domain of 
   CHECK(range.first >= -27.5);
   CHECK(range.first < -16.5);
 
-  // The determinant of the Hessian is one, per user unit cubed, and these are root cells.
+  // The determinant of the Hessian is one per cubed user unit. User units are root cells.
   const Eigen::VectorXd x = paraboloid(problem, 1, 1, 1);
   const Hierarchical_field field = problem.field_of(x);
   for(const std::pair<double, double>& levels : { std::make_pair(-1e9, 1e9), std::make_pair(3., 5.) }) {
@@ -209,7 +209,7 @@ TEST_CASE("On leaves of different size, the range on the mesh and the domain of 
     double sum = 0;
     std::size_t chosen[3] = { 0, 0, 0 };
     for(Index c = 0; c < field.number_of_cells(); ++c) {
-      // second derivatives of F = f / w with respect to x / w
+      // With F = f / w and coordinates x / w, second derivatives are w times those of f.
       if(domain[c]) sum += std::pow(field.cells().width(c), 3);
       chosen[field.cells().level(c)] += domain[c];
     }
@@ -225,7 +225,7 @@ TEST_CASE("On leaves of different size, gradients are the derivatives of the val
   Hierarchical_energy energy = problem.energy();
   Deterministic_numbers random(2);
   const std::size_t size = problem.field.number_of_coefficients();
-  // determinants near one per root cell, so that |det H| is smooth
+  // Determinants are close to one per root cell, where |det H| is smooth.
   const double w = problem.root_width();
   const Eigen::VectorXd x = paraboloid(problem, 1 / w, 1 / w, 1 / w) + 1e-3 * random.vector(size);
   energy.set_singular_hessian_domain(x, -1e9, 1e9);
@@ -237,7 +237,7 @@ TEST_CASE("On leaves of different size, gradients are the derivatives of the val
     for(Term term : all_terms) {
       CAPTURE(int(term), trial);
       const auto value = [&](double step) { return energy.value(term, Eigen::VectorXd(x + step * h * d)); };
-      // exact but for rounding: the terms are polynomials of degree two, or three, along a line
+      // Exact up to rounding, as the terms are polynomials of degree two or three along a line.
       const double difference = (8 * (value(1) - value(-1)) - (value(2) - value(-2))) / (12 * h);
       const double rounding = 2e-16 * 256 * value(0) * 18 / (12 * h);
       CHECK(std::abs(energy.gradient(term, x).dot(d) - difference) <= rounding);
@@ -270,7 +270,7 @@ TEST_CASE("On leaves of different size, the normal equations are those of the qu
     CHECK((2 * (full * x - b) - gradient).norm() <= 1e-12 * gradient.norm());
     CHECK(x.dot(full * x) - 2 * b.dot(x) + constant == Approx(quadratic_value(x)).epsilon(1e-12));
   }
-  // any number of threads
+  // The result is the same for any number of threads.
   Eigen::SparseMatrix<double> parallel_A;
   Eigen::VectorXd parallel_b;
   energy.assemble<CGAL::Parallel_if_available_tag>(parallel_A, parallel_b);
@@ -293,7 +293,7 @@ TEST_CASE("On leaves of different size, the fourth term's equations have the pat
   Eigen::VectorXd more_b = b;
   energy.add_singular_hessian<Tag>(x, 1e-3, more, more_b);
   REQUIRE(more.nonZeros() == A.nonZeros());
-  // the model's gradient at x: of w (row . d + det)^2 / |det|, two times that of the term where |det| is above eta
+  // The model is w (row . d + det)^2 / |det|. Its gradient at x is twice that of the term where |det| exceeds eta.
   const Eigen::VectorXd model = 2 * ((more - A).selfadjointView<Eigen::Lower>() * x - (more_b - b));
   const Eigen::VectorXd gradient = energy.gradient(Term::SINGULAR_HESSIAN, x);
   CHECK(model.dot(gradient) > 0.9 * model.norm() * gradient.norm());
@@ -323,18 +323,18 @@ TEST_CASE("On leaves of different size, the solution is where the gradient vanis
   for(int trial = 0; trial < 3; ++trial)
     CHECK(energy.value(Eigen::VectorXd(x + 1e-3 * random.vector(std::size_t(x.size())))) > least);
 
-  // conjugate gradients with blocks find it as well
+  // Conjugate gradients with blocks find the solution, too.
   Hierarchical_field field = problem.field;
   BS::Conjugate_gradient_solver<> solver(1e-10, 20000);
   const BS::Fit_report report = BS::fit_field<Tag>(field, energy, solver, energy.initial_guess());
   REQUIRE(report.status == BS::Solver_status::SUCCESS);
-  // condition numbers of about 1e6
+  // condition numbers are about 1e6
   CHECK((field.coefficients() / problem.root_width() - x).norm() <= 1e-4 * x.norm());
   CHECK(energy.value(Eigen::VectorXd(field.coefficients() / problem.root_width())) <= least * (1 + 1e-9));
   for(Term term : quadratic_terms)
     CHECK(report.energy[std::size_t(term)] == Approx(energy.value(term, x)).epsilon(1e-4));
   CHECK(report.energy[std::size_t(Term::SINGULAR_HESSIAN)] == 0);
-  // and the sphere's distance is near
+  // The field is close to the distance from the sphere.
   CHECK(*field.value(Point_3(0, 0.6, 0.8)) == Approx(0).margin(0.1));
   CHECK(*field.gradient(Point_3(0, 0.6, 0.8)) * Vector_3(0, 0.6, 0.8) == Approx(1).margin(0.2));
 }
@@ -357,8 +357,8 @@ TEST_CASE("On leaves of different size, samples of a linear function are fitted 
                                                [&](double a, double c, double d, double) { return f(a, c, d); });
   CHECK(energy.value(x) < 1e-20);
   CHECK(energy.value(expected) < 1e-20);
-  CHECK((x - expected).cwiseAbs().maxCoeff() < 1e-4); // where functions act on a corner of the domain only
-  // a guess reproduces linear functions
+  CHECK((x - expected).cwiseAbs().maxCoeff() < 1e-4); // largest where functions reach only a corner of the domain
+  // The guess reproduces linear functions.
   const Eigen::VectorXd guess = energy.initial_guess();
   CHECK((guess - expected).cwiseAbs().maxCoeff() < 1e-11);
   CHECK((energy.initial_guess<CGAL::Parallel_if_available_tag>() == guess));

@@ -1,4 +1,4 @@
-// Fitted_part.h: which coefficients act on cells, against a search.
+// Fitted_part.h: coefficients that act on cells, compared with a search.
 #include "random_hierarchies.h"
 
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
@@ -19,7 +19,7 @@ typedef Field::Cell_index Index;
 
 const BS::Lattice_3 lattice = BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.5, { -4, -4, -4 }, { 4, 4, 4 });
 
-// whether the field of one coefficient is not zero on a cell
+// Returns whether the basis function of a coefficient is nonzero on a cell.
 bool acts(const Field& field, Index u, Index c)
 {
   Field one = field;
@@ -45,7 +45,7 @@ TEST_CASE("Fitted part: the coefficients that act on the cells, and all cells an
   Eigen::VectorXd x = Eigen::VectorXd::Zero(Eigen::Index(coefficients.size()));
   for(std::size_t u = 0; u < coefficients.size(); ++u) x[Eigen::Index(u)] = coefficients[u];
   const Eigen::VectorXd all = field.extend(x);
-  // weights are positive
+  // Weights are positive, so terms do not cancel.
   for(Eigen::Index p = 0; p < all.size(); ++p) CHECK(bool(part.points[std::size_t(p)]) == (all[p] != 0));
   Field sum = field;
   sum.set_coefficients(x);

@@ -1,4 +1,4 @@
-// Solver_traits_adaptor.h: solver traits of CGAL solve the systems of fits.
+// Solver_traits_adaptor.h: CGAL's solver traits solve the systems of fits.
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Fit/Conjugate_gradient_solver.h>
@@ -19,8 +19,8 @@ namespace BS = CGAL::Bspline_shells;
 namespace P = CGAL::Bspline_shells::parameters;
 using BS::Solver_status;
 typedef CGAL::Eigen_sparse_matrix<double>::EigenType Matrix;
-typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix> > Direct;        // is given both triangles
-typedef CGAL::Eigen_solver_traits<Eigen::SimplicialCholesky<Matrix> > Symmetric; // keeps one triangle
+typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix> > Direct;        // gets both triangles
+typedef CGAL::Eigen_solver_traits<Eigen::SimplicialCholesky<Matrix> > Symmetric; // stores one triangle
 typedef CGAL::Eigen_solver_traits<> General;
 
 } // namespace
@@ -65,7 +65,7 @@ TEST_CASE("Solver traits: a shell is fitted with them")
   REQUIRE(shell);
   REQUIRE(other);
   CHECK(shell.report().fit.residual < 1e-10);
-  // bounds are refined to 1e-4 of their range
+  // Bounds are refined to 1e-4 of their range.
   CHECK(std::abs(shell.inner_level() - other.inner_level()) < 2e-4 * shell.thickness());
   CHECK(std::abs(shell.outer_level() - other.outer_level()) < 2e-4 * shell.thickness());
 }

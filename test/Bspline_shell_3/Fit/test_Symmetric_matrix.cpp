@@ -1,4 +1,4 @@
-// Symmetric_matrix.h: products beside those by Eigen, the same with one thread and with several.
+// Symmetric_matrix.h: products are compared with Eigen's, and are the same for one and several threads.
 #include <CGAL/Bspline_shell_3/Fit/internal/Symmetric_matrix.h>
 #include "test_meshes.h"
 
@@ -11,7 +11,7 @@ namespace {
 namespace BS = CGAL::Bspline_shells;
 typedef Eigen::SparseMatrix<double> Triangle;
 
-// the lower triangle of a matrix with about so many entries a column, and some empty columns
+// Returns the lower triangle of a matrix with about `entries` entries per column, and some empty columns.
 Triangle random_triangle(CGAL::Random& random, int size, int entries)
 {
   std::vector<Eigen::Triplet<double> > triplets;
@@ -45,7 +45,7 @@ TEST_CASE("Symmetric matrix: the product by a vector is Eigen's but for rounding
       CHECK((by_one - expected).cwiseAbs().maxCoeff() < 1e-12 * (1 + entries));
       CHECK((difference - (y - expected)).cwiseAbs().maxCoeff() < 1e-12 * (1 + entries));
       CHECK(by_one == by_several);
-      by_one.noalias() = A * y; // sums of the last product are gone
+      by_one.noalias() = A * y; // sums of the last product must be discarded
       CHECK((by_one - lower.selfadjointView<Eigen::Lower>() * y).cwiseAbs().maxCoeff() < 1e-12 * (1 + entries));
     }
 }

@@ -1,4 +1,4 @@
-// condense.h, Cell_colors.h, Normal_equations.h: equations for free coefficients, against the product of three
+// condense.h, Cell_colors.h, Normal_equations.h: equations for free coefficients are compared with the product of three
 // matrices.
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
@@ -26,8 +26,7 @@ typedef Eigen::SparseMatrix<double> Matrix;
 
 const BS::Lattice_3 lattice(CGAL::Bbox_3(9, -1, -4, 11, 2, 1), 0.3);
 
-// The same numbers for a leaf whenever it is asked for; not those of any polynomial, so that no entry is zero by
-// chance.
+// Reproducible random equations of a leaf. They do not belong to a polynomial, so no entry is zero by coincidence.
 struct Random_equations
 {
   Local_matrix matrix;
@@ -64,7 +63,7 @@ struct Assembled
   }
 };
 
-// the sum over the leaves, for all points, and then for what they depend on
+// Computes the sum over the leaves for all points, and reduces it to free coefficients.
 void expected_equations(const Field& field, Eigen::MatrixXd& A, Eigen::VectorXd& b)
 {
   const Eigen::Index size = Eigen::Index(field.number_of_coefficients()),
@@ -99,7 +98,7 @@ void check_lower_triangle(const Matrix& A)
   for(int c = 0; c < A.outerSize(); ++c) {
     int last = c - 1;
     for(Matrix::InnerIterator it(A, c); it; ++it) {
-      wrong += it.row() <= last; // rows ascend, from the diagonal on
+      wrong += it.row() <= last; // rows ascend from the diagonal
       wrong += last == c - 1 && it.row() != c;
       last = int(it.row());
     }
@@ -107,7 +106,7 @@ void check_lower_triangle(const Matrix& A)
   CHECK(wrong == 0);
 }
 
-// columns of chosen unknowns begin with the diagonal, and others are empty
+// Checks that columns of chosen unknowns begin with the diagonal, and other columns are empty.
 void check_chosen_lower_triangle(const Matrix& A, const std::vector<char>& chosen)
 {
   REQUIRE(A.isCompressed());
@@ -136,11 +135,11 @@ void check_condensed(const Field& field)
   Eigen::VectorXd b;
   expected_equations(field, A, b);
   Eigen::MatrixXd lower = A.triangularView<Eigen::Lower>();
-  // entries are sums of some thousand products of size one
+  // Entries are sums of a few thousand products of size one.
   CHECK((Eigen::MatrixXd(found.A) - lower).cwiseAbs().maxCoeff() < 1e-12);
   CHECK((found.b - b).cwiseAbs().maxCoeff() < 1e-12);
   CHECK(lower.cwiseAbs().maxCoeff() > 1);
-  // coefficients of different levels are coupled
+  // Coefficients of different levels are coupled.
   double between_levels = 0;
   const Eigen::Index coarse = Eigen::Index(field.number_of_coefficients()) - 1;
   for(Eigen::Index c = 0; c < coarse; ++c)
@@ -182,7 +181,7 @@ TEST_CASE("condensed equations: the same with any number of threads, to the last
 {
   CGAL::Random random(5);
   const Field field(random_hierarchy(random, some_cells(random, lattice, { -6, -3, -2 }, { 4, 1, 1 }, 0.9), 3));
-  REQUIRE(field.number_of_cells() > 1000); // several chunks
+  REQUIRE(field.number_of_cells() > 1000); // enough for several chunks
   const Assembled<Field> sequential(field, CGAL::Sequential_tag());
   check_lower_triangle(sequential.A);
   for(int run = 0; run < 3; ++run) {

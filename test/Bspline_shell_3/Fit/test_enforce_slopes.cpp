@@ -1,4 +1,4 @@
-// enforce_slopes.h: conditions are met, at the least cost, near where they were violated; those that cannot be met do
+// enforce_slopes.h: conditions are met at the least cost, close to where they were violated. Infeasible conditions do
 // no harm.
 #include "fit_problem.h"
 #include "random_hierarchies.h"
@@ -31,10 +31,10 @@ typedef Eigen::VectorXd Vector;
 typedef Eigen::SparseMatrix<double> Matrix;
 
 const double inf = std::numeric_limits<double>::infinity();
-// a solution exceeds what is wanted by this part
+// relative excess of solutions over the requested slopes
 constexpr double excess = 0.05;
 
-// a quadratic energy of fields on some cells, and its minimizer
+// A quadratic energy of fields on some cells, and its minimizer.
 struct Problem
 {
   Hierarchical_field field;
@@ -66,7 +66,7 @@ struct Problem
     const double w = field.cells().width(c.cell);
     return Point_3(corner[0] + w * c.position[0], corner[1] + w * c.position[1], corner[2] + w * c.position[2]);
   }
-  // by how much a condition is exceeded: by the field's own values and gradients
+  // Returns by how much a condition is exceeded, according to the field's own values and gradients.
   double slack(const Condition& c, const Hierarchical_field& f) const
   {
     const Vector_3 g = f.gradient(point(c)).value();
@@ -90,7 +90,7 @@ struct Problem
   }
 };
 
-// the energy of a mesh, cells refined around a point
+// Returns the energy of a mesh, on cells that are refined around a point.
 Problem problem_of(const Mesh& mesh, double gamma, const Point_3& refined_at, int levels, double zeta = 1)
 {
   BS::Input_mesh_3 input;
@@ -111,7 +111,8 @@ Problem problem_of(const Mesh& mesh, double gamma, const Point_3& refined_at, in
   return problem;
 }
 
-// The function z wanted at random points of a bar of nine root cells, smaller ones at one end, and small coefficients.
+// Returns an energy of a bar of nine root cells, with smaller cells at one end. It requests the function z at random
+// points, and small coefficients.
 Problem bar(unsigned seed = 1)
 {
   CGAL::Random random(seed);
@@ -141,7 +142,8 @@ Problem bar(unsigned seed = 1)
   return problem;
 }
 
-// Of a slope, by the free coefficients: differences of fields, which are exact up to rounding as slopes are linear.
+// Returns the row of a slope for the free coefficients. Slopes are linear, so fields of unit coefficients are exact up
+// to rounding.
 Vector slope_row(const Problem& problem, const Condition& c)
 {
   Vector row(Eigen::Index(problem.field.number_of_coefficients()));
@@ -154,7 +156,7 @@ Vector slope_row(const Problem& problem, const Condition& c)
   return row;
 }
 
-// The step that minimizes s.H.s - 2 r.s under G s >= wanted, by trying all sets of conditions that hold with equality.
+// Returns the step that minimizes s.H.s - 2 r.s under G s >= wanted. It tries all sets of active conditions.
 Vector brute_force(const Eigen::MatrixXd& H, const Vector& r, const Eigen::MatrixXd& G, const Vector& wanted)
 {
   const Eigen::LDLT<Eigen::MatrixXd> factor(H);
@@ -182,7 +184,7 @@ Vector brute_force(const Eigen::MatrixXd& H, const Vector& r, const Eigen::Matri
   return Vector();
 }
 
-// conditions along z at random points, which the minimizer violates if the slope is larger than one
+// Returns conditions along z at random points. The minimizer violates them if the slope is larger than one.
 std::vector<Condition> random_conditions(const Problem& problem, CGAL::Random& random, int number, double least)
 {
   std::vector<Condition> conditions;
@@ -205,7 +207,7 @@ TEST_CASE("Slopes: on all facets at an apex the field has the slope that its con
                  margin = inradius / std::sqrt(height * height + inradius * inradius);
     REQUIRE(BS::vertex_cone_margin(mesh, Mesh::Vertex_index(0)) == Approx(margin));
     Problem problem = problem_of(mesh, 2 * height, apex, 3);
-    // a field of slope one along the axis has the slope `margin` across all facets; most of it is wanted
+    // A field of slope one along the axis has the slope `margin` across all facets. Most of this is requested.
     std::vector<Condition> conditions;
     for(auto h : CGAL::halfedges_around_target(Mesh::Vertex_index(0), mesh)) {
       const Point_3 &q = mesh.point(mesh.target(mesh.next(h))), &r = mesh.point(mesh.source(h));
@@ -226,9 +228,9 @@ TEST_CASE("Slopes: on all facets at an apex the field has the slope that its con
     CHECK(report.violated_cells.empty());
     CHECK(problem.least_slack(conditions, x) >= 0);
     CHECK(problem.field_of(x).gradient(apex).value().z() >= 0.6);
-    // which no other field can have for less
+    // By definition of the minimizer, the energy is larger.
     CHECK(problem.energy(x) > problem.energy(problem.x));
-    // far from the apex nothing is touched
+    // Far from the apex, nothing changes.
     for(Index n = 0; n < problem.field.number_of_coefficients(); ++n)
       if(problem.field.support(n).zmax() < 0.4 * height) CHECK(x[n] == problem.x[n]);
     for(const Condition& c : conditions)
@@ -242,7 +244,7 @@ TEST_CASE("Slopes: the step is the best one of the coefficients near the violate
   for(unsigned seed = 1; seed < 4; ++seed) {
     const Problem problem = bar(seed);
     CGAL::Random random(seed);
-    // in a small leaf, in the coarse one next to small leaves, in one with coarse neighbors
+    // a small leaf; a coarse leaf next to small ones; a leaf with coarse neighbors
     for(double x0 : { 0.3, 1.6, 3.2 }) {
       const Index center = problem.field.locate(Point_3(x0, 0.2, 0.2));
       std::vector<Condition> conditions;
@@ -255,7 +257,7 @@ TEST_CASE("Slopes: the step is the best one of the coefficients near the violate
         CHECK(conditions.back().cell == center);
         REQUIRE(problem.least_slack({ conditions.back() }, problem.x) < 0);
       }
-      // what acts on leaves that are at most half a width away
+      // coefficients that act on leaves at a distance of at most half a width
       std::set<Index> free;
       CGAL::Bbox_3 b = problem.field.cell(center).bbox();
       const double m = problem.field.cells().width(center) / 2;
@@ -320,7 +322,7 @@ TEST_CASE("Slopes: conditions that hold change nothing")
     CHECK(report.changed_cells.empty());
     CHECK(x == problem.x);
   }
-  // without any
+  // without any conditions
   Enforcement none(problem.field, problem.A, problem.b);
   CHECK(none(x).enforced);
   CHECK(x == problem.x);
@@ -333,7 +335,7 @@ TEST_CASE("Slopes: conditions that contradict each other end, are reported, and 
   const Point_3 p(3.2, 0.2, 0.3);
   const std::vector<Condition> contradiction = { problem.condition(p, Vector_3(0, 0, 1), 2),
                                                  problem.condition(p, Vector_3(0, 0, -1), 2) };
-  // far away, and next to it
+  // one far from the contradiction, and one next to it
   const Condition far = problem.condition(Point_3(0.2, 0.3, 0.1), Vector_3(0, 1, 2), 1.3),
                   near = problem.condition(Point_3(3.7, 0.1, 0.3), Vector_3(0, 0, 1), 1.2);
   std::vector<Condition> conditions = contradiction;
@@ -348,8 +350,8 @@ TEST_CASE("Slopes: conditions that contradict each other end, are reported, and 
     CHECK(report.violated_cells == problem.violated_cells(contradiction, x));
     CHECK(report.violated_cells == std::vector<std::uint32_t>{ contradiction[0].cell });
     CHECK(problem.least_slack({ far, near }, x) >= 0);
-    if(call > 0) CHECK(report.patches == 0); // it was tried
-    // either of them alone is a matter of this size
+    if(call > 0) CHECK(report.patches == 0); // already tried
+    // Each of the two conditions alone can be met.
     for(const Condition& c : contradiction) {
       Vector y = problem.x;
       Enforcement one(problem.field, problem.A, problem.b);
@@ -359,7 +361,7 @@ TEST_CASE("Slopes: conditions that contradict each other end, are reported, and 
     CHECK(x.allFinite());
     CHECK((x - problem.x).lpNorm<Eigen::Infinity>() < 10);
   }
-  // values that no slope of that size lets be that small, and multitudes
+  // many conditions, with values that are too small for the requested slopes
   std::vector<Condition> more;
   CGAL::Random random(4);
   for(int n = 0; n < 60; ++n) {
@@ -384,7 +386,7 @@ TEST_CASE("Slopes: the size of values can be bounded, at the same points and oth
       const double size = std::abs(problem.field_of(problem.x).value(p).value()) / problem.width();
       conditions.push_back(problem.condition(p, Vector_3(0, 0, 1), t == 0.3 ? 0.9 : -inf, 0.8 * size));
     }
-  // a bound on values only must not depend on the slope
+  // Bounds on values only must not depend on the slope.
   for(Condition& c : conditions)
     if(c.least == -inf) c.least = -1e3;
   REQUIRE(problem.violated_cells(conditions, problem.x).size() >= 4);
@@ -394,7 +396,7 @@ TEST_CASE("Slopes: the size of values can be bounded, at the same points and oth
   const BS::Slope_report report = enforce(x);
   CHECK(report.violated_cells.empty());
   CHECK(problem.least_slack(conditions, x) >= 0);
-  // negative values alike
+  // The same holds for negative values.
   Problem negative = problem;
   negative.b = -problem.b;
   negative.minimize();
@@ -424,7 +426,7 @@ TEST_CASE("Slopes: with more violated cells than allowed nothing changes, and al
   CHECK(refused.violated_cells == violated);
   CHECK(refused.changed_cells.empty());
   CHECK(x == problem.x);
-  // as many as allowed
+  // exactly the permitted number of cells
   const BS::Slope_report report = enforce(x, violated.size());
   CHECK(report.enforced);
   CHECK(report.violated_cells.empty());
@@ -439,7 +441,7 @@ TEST_CASE("Slopes: conditions can be added after a call, old ones still hold")
   Enforcement enforce(problem.field, problem.A, problem.b);
   std::vector<Condition> all;
   for(int call = 0; call < 4; ++call) {
-    // each beyond the last, so that old solutions do not meet them
+    // Each call requests larger slopes, so previous solutions do not meet them.
     const std::vector<Condition> more = random_conditions(problem, random, 8, 1.2 + 0.1 * call);
     all.insert(all.end(), more.begin(), more.end());
     REQUIRE(problem.least_slack(all, x) < 0);
@@ -449,7 +451,7 @@ TEST_CASE("Slopes: conditions can be added after a call, old ones still hold")
     CHECK(report.violated_before == problem.violated_cells(all, before).size());
     CHECK(report.violated_cells.empty());
     CHECK(problem.least_slack(all, x) >= 0);
-    // again, there is nothing to do
+    // A second call has nothing to do.
     Vector again = x;
     CHECK(enforce(again).patches == 0);
     CHECK(again == x);
@@ -464,7 +466,7 @@ TEST_CASE("Slopes: a condition in a cell that had none is compared with the fiel
   Enforcement enforce(problem.field, problem.A, problem.b);
   enforce.insert({ first });
   CHECK(enforce(x).violated_cells.empty());
-  // next to it the field has changed, too
+  // The field has also changed nearby.
   const Hierarchical_field before = problem.field_of(problem.x), after = problem.field_of(x);
   for(double x0 : { 2.2, 2.7, 3.7, 4.2 }) {
     const Point_3 p(x0, 0.3, 0.2);
@@ -544,7 +546,7 @@ TEST_CASE("Slopes: coefficients without an equation keep their values")
   const std::vector<Condition> conditions = { { 0, 0, { 0.5, 0.5, 0.5 }, { 0, 0, 1 }, 2 } };
   REQUIRE(problem.least_slack(conditions, problem.x) < 0);
   const Vector before = problem.x;
-  // every third
+  // Every third coefficient has no equation.
   Eigen::MatrixXd A = problem.A;
   for(Eigen::Index u = 0; u < before.size(); u += 3) {
     A.row(u).setZero();

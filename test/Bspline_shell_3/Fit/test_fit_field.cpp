@@ -1,4 +1,4 @@
-// fit_field.h and the solvers: what a fit minimizes, what it reports, and what it does when a solver fails.
+// fit_field.h and the solvers: fits minimize the energy, and reports are correct, also if a solver fails.
 #include "fit_problem.h"
 
 #include <CGAL/Bspline_shell_3/Fit/Conjugate_gradient_solver.h>
@@ -39,7 +39,7 @@ Energy_weights quadratic_terms_only(double zeta)
   return weights;
 }
 
-// a conjugate gradient solver that keeps what it is asked, and fails when told to
+// A conjugate gradient solver that records its calls, and fails on request.
 struct Recording_solver
 {
   typedef CG::Matrix Matrix;
@@ -103,12 +103,12 @@ TEST_CASE("Blocks save most iterations, and change the solution by no more than 
   CHECK((A.selfadjointView<Eigen::Lower>() * y - b).norm() <= 1.1e-8 * b.norm());
   REQUIRE(sequential.compute(A, blocks) == Solver_status::SUCCESS);
   REQUIRE(sequential.solve(b, z) == Solver_status::SUCCESS);
-  CHECK((y == z)); // whatever the number of threads
+  CHECK((y == z)); // for any number of threads
 }
 
 TEST_CASE("Conjugate_gradient_solver solves a system that is given by its lower triangle")
 {
-  // (4 1; 1 3) x = (1; 2) has the solution (1, 7) / 11
+  // The solution of (4 1; 1 3) x = (1; 2) is (1, 7) / 11.
   Eigen::SparseMatrix<double> lower(2, 2);
   lower.insert(0, 0) = 4;
   lower.insert(1, 0) = 1;
@@ -122,11 +122,11 @@ TEST_CASE("Conjugate_gradient_solver solves a system that is given by its lower 
   CHECK(x[0] == Approx(1 / 11.).epsilon(1e-13));
   CHECK(x[1] == Approx(7 / 11.).epsilon(1e-13));
   CHECK(solver.residual() <= 1e-14);
-  CHECK(solver.iterations() <= 3); // as many as unknowns, and one for a preconditioner in single precision
-  // from the solution there is nothing left to do
+  CHECK(solver.iterations() <= 3); // the number of unknowns, plus one for a single-precision preconditioner
+  // At the solution, nothing is left to do.
   REQUIRE(solver.solve(b, x) == Solver_status::SUCCESS);
   CHECK(solver.iterations() <= 1);
-  // one iteration is not enough
+  // One iteration is not enough.
   CG impatient(1e-14, 1);
   x.setZero();
   REQUIRE(impatient.compute(lower) == Solver_status::SUCCESS);
@@ -154,9 +154,9 @@ TEST_CASE("A fit is where the gradient of the energy vanishes")
     return Eigen::VectorXd(energy.gradient(Term::DISTANCE, y) + energy.gradient(Term::SURFACE, y)
                            + energy.gradient(Term::ANGLE, y) + energy.gradient(Term::NORMAL, y));
   };
-  // the gradient is 2 (A x - b), and 2 b is minus the gradient at zero; twice for rounding
+  // The gradient is 2 (A x - b); at zero it is -2 b. The factor two allows for rounding.
   CHECK(gradient(x).norm() <= 2 * 1e-10 * gradient(Eigen::VectorXd::Zero(x.size())).norm());
-  // so that the energy grows in every direction, by the square of the step
+  // The energy grows in every direction with the square of the step.
   const double least = energy.value(x);
   Deterministic_numbers random(5);
   for(int trial = 0; trial < 5; ++trial) {
@@ -178,7 +178,8 @@ TEST_CASE("A fit of a sphere is near its distance")
   Field field = problem.field;
   CG solver;
   REQUIRE(BS::fit_field<Tag>(field, energy, solver, energy.initial_guess()).status == Solver_status::SUCCESS);
-  // the mesh is inscribed in the sphere and at most 0.04 below it; half a cell (0.125) for the smoothing of its edges
+  // The mesh is inscribed in the sphere, at most 0.04 below it. Half a cell (0.125) is added for the smoothing of
+  // edges.
   for(double r : { 0.8, 0.95, 1.1, 1.25 })
     for(const Vector_3& d : { Vector_3(1, 0, 0), Vector_3(0.6, 0, -0.8), Vector_3(-0.48, 0.6, 0.64) }) {
       const Point_3 p = CGAL::ORIGIN + r * d;
@@ -202,13 +203,14 @@ TEST_CASE("Steps on the singular Hessian never raise the energy, and lower that 
     CHECK(report.iterations == solver.all_iterations);
     REQUIRE(report.linear_solves >= 2);
 
-    // each step starts from the solution so far: the guesses, but for the first, are the steps
+    // Each step starts from the current solution. Thus the guesses, except for the first, are the solutions of the
+    // steps.
     std::vector<Eigen::VectorXd> steps(solver.guesses.begin() + 1, solver.guesses.end());
     steps.push_back(field.coefficients() / problem->width());
     Energy judge = problem->energy();
     const std::pair<double, double> range = judge.range_on_mesh(steps.front());
     judge.set_singular_hessian_domain(steps.front(), range.first, range.second);
-    // the last point went through a multiplication and a division by the width: some units in the last place
+    // The last point was multiplied and divided by the width, with errors of a few units in the last place.
     for(std::size_t n = 1; n < steps.size(); ++n)
       CHECK(judge.value(steps[n]) <= judge.value(steps[n - 1]) * (1 + 1e-12));
     const double first = judge.value(Term::SINGULAR_HESSIAN, steps.front()),
@@ -247,7 +249,7 @@ TEST_CASE("When a solver fails, the report says how and the field stays as it wa
   CHECK(no_factorization.guesses.empty());
   CHECK((field.coefficients() == before));
 
-  Recording_solver fails_later; // in the first step on the singular Hessian
+  Recording_solver fails_later; // fails in the first step on the singular Hessian
   fails_later.fails_at_solve = 2;
   CHECK(BS::fit_field<Tag>(field, energy, fails_later, energy.initial_guess()).status == Solver_status::NOT_CONVERGED);
   CHECK(fails_later.guesses.size() == 2);
@@ -265,7 +267,7 @@ TEST_CASE("A fit that starts at the solution has nothing to do")
   const BS::Fit_report warm = BS::fit_field<Tag>(field, energy, solver,
                                                  field.coefficients() / sphere_problem().width());
   REQUIRE(warm.status == Solver_status::SUCCESS);
-  CHECK(warm.iterations <= 2); // the recurrence's residual and the true one differ by rounding
+  CHECK(warm.iterations <= 2); // the residual of the recurrence differs from the true one by rounding
 }
 
 #ifdef HAVE_CHOLMOD
@@ -286,7 +288,7 @@ TEST_CASE("Conjugate gradients and the direct solver find the same field")
     REQUIRE(b.status == Solver_status::SUCCESS);
     CHECK(a.residual < 1e-12);
     CHECK(a.iterations == a.linear_solves);
-    // a residual of 1e-12 and condition numbers of about 1e7
+    // The residual is 1e-12, and condition numbers are about 1e7.
     const double scale = direct.coefficients().cwiseAbs().maxCoeff();
     CHECK((direct.coefficients() - iterative.coefficients()).cwiseAbs().maxCoeff() < 1e-5 * scale);
     for(std::size_t term = 0; term < a.energy.size(); ++term)

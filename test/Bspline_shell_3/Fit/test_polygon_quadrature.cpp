@@ -1,4 +1,5 @@
-// polygon_quadrature.h: what is exact, against integrals over triangles by the three-point rule; where the points are.
+// polygon_quadrature.h: exactness, compared with integrals over triangles by the three-point rule; positions of the
+// points.
 #include <CGAL/Bspline_shell_3/Fit/internal/polygon_quadrature.h>
 #include <catch2/catch.hpp>
 
@@ -38,7 +39,8 @@ Point middle(const Point& p, const Point& q)
   return { (p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2 };
 }
 
-// exact to degree two: the middles of the sides of triangles from the first corner
+// Returns an integral that is exact to degree two: points are the midpoints of the sides of triangles at the first
+// corner.
 template <typename Function>
 double exact_integral(const Polygon& polygon, const Function& f)
 {
@@ -51,7 +53,7 @@ double exact_integral(const Polygon& polygon, const Function& f)
   return sum;
 }
 
-// in the plane z = 0.3 + x / 2 - y / 4
+// Returns a polygon in the plane z = 0.3 + x / 2 - y / 4.
 Polygon lifted(const std::vector<std::array<double, 2> >& corners, double scale = 1)
 {
   Polygon polygon;
@@ -67,7 +69,7 @@ const std::vector<Polygon>& polygons()
     lifted({ { 0.1, 0.1 }, { 0.9, 0.2 }, { 0.8, 0.5 }, { 0.2, 0.9 } }),
     lifted({ { 0, 0.3 }, { 0.3, 0 }, { 1, 0.2 }, { 0.9, 0.9 }, { 0.1, 1 } }),
     lifted({ { 0, 0.3 }, { 0.2, 0 }, { 0.8, 0 }, { 1, 0.4 }, { 0.7, 1 }, { 0.1, 0.9 } }),
-    lifted({ { 0, 0 }, { 0.5, 0 }, { 1, 0 }, { 0, 1 } }), // a triangle with one corner more
+    lifted({ { 0, 0 }, { 0.5, 0 }, { 1, 0 }, { 0, 1 } }), // a triangle with an additional corner
   };
   return all;
 }
@@ -92,7 +94,7 @@ TEST_CASE("Quadrature on polygons: areas and linear functions are exact, and so 
     CHECK(integral(points, [](const Point&) { return 1.; }) == Approx(area).epsilon(1e-13));
     for(std::size_t a = 0; a < 3; ++a)
       CHECK(integral(points, [&](const Point& p) { return p[a]; }) == Approx(area * centroid[a]).epsilon(1e-13));
-    // the last one has points in the middle of its sides already
+    // In the last polygon, the points are already in the middle of its sides, and cannot be moved farther.
     if(&polygon != &polygons().back())
       CHECK(integral(points, squared_distance) == Approx(exact_integral(polygon, squared_distance)).epsilon(1e-12));
   }

@@ -1,4 +1,4 @@
-// sample_signed_distance.h: samples of finer cells, from those of coarser ones.
+// sample_signed_distance.h: samples on finer cells, computed from those on coarser cells.
 #include <CGAL/Bspline_shell_3/Fit/sample_signed_distance.h>
 #include "random_hierarchies.h"
 
@@ -16,7 +16,7 @@ namespace BS = CGAL::Bspline_shells;
 
 namespace {
 
-// of a ball, and a count of the questions
+// The distance of a ball, with a counter of evaluations.
 struct Counting_ball
 {
   typedef BS::Any_signed_distance_3::Point_3 Point_3;
@@ -57,7 +57,7 @@ TEST_CASE("samples of the distance: of cells that were there before they are kep
     CHECK(expected.size() < cells.number_of_cells());
     before = cells;
   }
-  // nothing has changed
+  // If no cell has changed, nothing is sampled.
   asked = 0;
   CHECK(BS::update_signed_distance<CGAL::Sequential_tag>(oracle, before, before, samples).empty());
   CHECK(asked == 0);

@@ -1,4 +1,4 @@
-// solve_part.h: equations of some unknowns, against a direct solution.
+// solve_part.h: equations of some unknowns, compared with a direct solution.
 #include <CGAL/Bspline_shell_3/Fit/Any_spd_solver.h>
 #include <CGAL/Bspline_shell_3/Fit/Conjugate_gradient_solver.h>
 #include <CGAL/Bspline_shell_3/Fit/solve_part.h>
@@ -19,7 +19,7 @@ constexpr Eigen::Index size = 40;
 
 struct System
 {
-  // rows and columns of unknowns that are not chosen are zero
+  // Rows and columns of unknowns that are not chosen are zero.
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(size, size);
   Eigen::VectorXd b = Eigen::VectorXd::Zero(size), x = Eigen::VectorXd::Zero(size), solution;
   std::vector<char> chosen = std::vector<char>(std::size_t(size), 0);

@@ -1,4 +1,4 @@
-// checksum.h: a published one, of texts, numbers and streams.
+// checksum.h: the published check value, and checksums of texts, numbers and streams.
 #include <CGAL/Bspline_shell_3/IO/checksum.h>
 #include "shell_files.h"
 
@@ -25,7 +25,7 @@ TEST_CASE("checksum: it is CRC-64/XZ, of a text at once or of what goes to a str
   CHECK(passing.checksum() == 0x995DC9BBDF1939FAull);
   CHECK(counting.checksum() == 0x995DC9BBDF1939FAull);
 
-  // numbers are their little-endian bytes
+  // Numbers are added as little-endian bytes.
   BS::Checksum numbers;
   numbers.add(-1.75);
   numbers.add(std::uint32_t(0x01020304));

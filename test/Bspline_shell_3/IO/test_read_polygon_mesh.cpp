@@ -1,5 +1,5 @@
-// read_polygon_mesh.h, write_file.h: a mesh is read whole or refused for the right reason, at the right places of its
-// file; a file is written whole or not at all.
+// read_polygon_mesh.h, write_file.h: a mesh is read completely, or refused for the right reason and at the right places
+// of the file. A file is written completely, or not at all.
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
@@ -23,7 +23,7 @@ using namespace CGAL::Bspline_shells;
 
 namespace {
 
-// a file that is gone when the test ends
+// A file that is removed at the end of the test.
 struct Temporary_file
 {
   explicit Temporary_file(const std::string& name, const std::string& text = std::string()) : name(name)
@@ -47,7 +47,7 @@ std::string contents(const std::string& name)
   return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
 }
 
-// a tetrahedron: rows of coordinates and of facets, with something behind each of them
+// A tetrahedron: rows of coordinates and of facets, each followed by `behind`.
 std::string vertex_rows(const std::string& behind = "\n")
 {
   std::string rows;
@@ -81,7 +81,7 @@ void append(std::string& data, T value, bool is_big_endian)
   data.append(bytes, sizeof(T));
 }
 
-// the tetrahedron in binary; the facets have a flag before their indices, and two lists behind them
+// Returns the tetrahedron in binary. Facets have a flag before their indices, and two lists after them.
 std::string binary_PLY(bool is_big_endian, int first_length = 3)
 {
   std::string data;
@@ -104,7 +104,7 @@ std::string binary_PLY(bool is_big_endian, int first_length = 3)
              data, "", is_big_endian ? "binary_big_endian" : "binary_little_endian");
 }
 
-// whether the file holds the tetrahedron
+// Returns whether the file contains the tetrahedron.
 bool is_tetrahedron(const std::string& name, const std::string& text)
 {
   const Temporary_file file(name, text);
@@ -117,7 +117,7 @@ bool is_tetrahedron(const std::string& name, const std::string& text)
          && mesh.number_of_faces() == 4 && CGAL::is_closed(mesh);
 }
 
-// the same tetrahedron as OBJ, GOCAD and STL
+// The same tetrahedron as OBJ, GOCAD and STL.
 std::string OBJ()
 {
   return "v 0 0 0\nv 2.5 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
@@ -141,7 +141,7 @@ std::string STL(const std::string& first = "solid\n", const std::string& normal 
   return text + "endsolid\n";
 }
 
-// the file holds the tetrahedron, whatever the order of its vertices
+// Returns whether the file contains the tetrahedron, in any order of vertices.
 bool is_tetrahedron_STL(const std::string& name, const std::string& text)
 {
   const Temporary_file file(name, text);
@@ -163,7 +163,7 @@ TEST_CASE("reading: a mesh is read whole, with shared vertices also from STL")
       if(binary) CGAL::IO::set_binary_mode(out);
       REQUIRE(CGAL::IO::write_STL(out, cube));
     }
-    if(binary) { // the trap of the format: a binary file whose header begins like a text file
+    if(binary) { // binary STL is ambiguous: its header may begin like a text file
       std::string text = contents(file.name);
       text.replace(0, 5, "solid");
       std::ofstream(file.name, std::ios::binary) << text;
@@ -309,7 +309,7 @@ TEST_CASE("reading: an STL text is told from a binary file by its length, whatev
   CHECK(is_tetrahedron_STL("read_tabs.stl", indented));
   CHECK(is_tetrahedron_STL("read_normals.stl", STL("solid\n", "nan nan nan")));
 
-  // cut short, or with bytes behind its end
+  // The file is truncated, or has additional bytes at its end.
   Offending_simplices offenders;
   std::string binary = std::string(80, ' ') + std::string("\1\0\0\0", 4) + std::string(50, '\0');
   CHECK(read("read_short.stl", binary.substr(0, 133), offenders) == Shell_status::MALFORMED_FILE);
@@ -335,7 +335,7 @@ TEST_CASE("reading: an OBJ file may have continued lines, relative and compound 
   Offending_simplices offenders;
   CHECK(read("read_variants.obj", "v 0 0 0\nv 1 0 0\nf 1 2 -3\nv 0 1 0\n", offenders) == Shell_status::MALFORMED_FILE);
   CHECK(read("read_variants.obj", "v 0 0 0\nv 1 \\\n0 0\nv 0 \\\nx 0\n", offenders) == Shell_status::MALFORMED_FILE);
-  CHECK(offenders.line == 5); // where the line that is continued ends
+  CHECK(offenders.line == 5); // where the continued line ends
   CHECK(read("read_variants.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", offenders) == Shell_status::MALFORMED_FILE);
   CHECK(offenders.facets == std::vector<std::size_t>{ 0 });
 }
@@ -380,7 +380,7 @@ TEST_CASE("reading: the numbers of an OFF file may stand in lines as they like")
 
 TEST_CASE("reading: an OFF file may lack the number of edges")
 {
-  // the first vertex, not at zero: its first coordinate is not to be cut
+  // The first vertex is not at zero, and its first coordinate must not be cut off.
   const std::string text = "OFF\n4 4\n1.5 2 3\n2 2 3\n1.5 3 3\n1.5 2 4\n" + facet_rows();
   const Temporary_file file("read_edges.off", text);
   Mesh mesh;
@@ -462,10 +462,10 @@ TEST_CASE("reading: facets of a PLY text may have properties before and behind t
   CHECK(is_tetrahedron(
     "read_lists.ply",
     PLY(xyz, texture + "property uchar flag\n" + indices + "property list int short labels\n", v + behind)));
-  // more numbers than declared: a list where three colors should be
+  // There are more numbers than declared: a list in place of three colors.
   CHECK(is_tetrahedron("read_lists.ply",
                        PLY(xyz, indices + texture + colors, v + facet_rows(" 2 0.5 0.5 9 1 1 1 1 1 1 1 1 1\n"))));
-  // line breaks where they need not be, and none where they should
+  // additional line breaks, and missing ones
   std::string lines = PLY(xyz, indices + texture, v + facet_rows("\n2 0.25 0.75\n"));
   CHECK(is_tetrahedron("read_lists.ply", lines));
   CHECK(is_tetrahedron("read_lists.ply", PLY(xyz, indices + texture, vertex_rows(" ") + facet_rows(" 2 0.25 0.75 "))));
@@ -573,7 +573,7 @@ TEST_CASE("reading: nothing is printed")
       { "read_silent.ply", "read_silent.off", "read_silent.obj", "read_silent.stl", "read_silent.ts" })
     read(name, "f 1 2 x\nthis is no mesh", offenders);
   std::string text = binary_PLY(false);
-  // CGAL's reader refuses this one
+  // CGAL's reader rejects this file.
   read("read_silent.ply", text.replace(text.find("int int"), 7, "int float"), offenders);
   std::cerr.rdbuf(before);
   CHECK(printed.str() == "");
@@ -591,7 +591,7 @@ TEST_CASE("reading: three facets at an edge are not manifold, and named")
 
 TEST_CASE("reading: a vertex that joins two surfaces is not manifold, and named")
 {
-  // two tetrahedra with the common vertex 3
+  // Two tetrahedra share the vertex 3.
   Offending_simplices offenders;
   const Shell_status status = read("read_pinched.off",
                                    "OFF\n7 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 2\n1 0 2\n0 1 2\n"
@@ -603,7 +603,7 @@ TEST_CASE("reading: a vertex that joins two surfaces is not manifold, and named"
 
 TEST_CASE("reading: of vertices at one position, the first in the file is named, once")
 {
-  // three tetrahedra, each with vertices of its own, that meet at the origin: vertices 2, 6 and 11
+  // Three tetrahedra with vertices of their own meet at the origin: vertices 2, 6 and 11.
   Offending_simplices offenders;
   const Shell_status status = read(
     "read_repeated.off",
@@ -615,7 +615,7 @@ TEST_CASE("reading: of vertices at one position, the first in the file is named,
   CHECK(offenders.vertices == std::vector<std::size_t>{ 2 });
   CHECK(offenders.facets.empty());
 
-  // the same after a vertex that is there twice, so that positions in the file and after merging differ
+  // The same holds after a duplicate vertex, which shifts positions when vertices are merged.
   CHECK(read("read_repeated.off",
              "OFF\n10 8 0\n1 0 0\n1 0 0\n0 1 0\n0 0 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 0\n0 0 -1\n0 0 1\n"
              "3 0 2 3\n3 2 1 4\n3 3 2 9\n3 1 3 4\n3 5 6 7\n3 6 5 8\n3 7 6 8\n3 5 7 8\n",
@@ -626,7 +626,7 @@ TEST_CASE("reading: of vertices at one position, the first in the file is named,
 
 TEST_CASE("reading: a Moebius band is not orientable")
 {
-  // five quadrangles in a ring, the last one joined with a twist
+  // Five quadrangles form a ring; the last one is twisted.
   Offending_simplices offenders;
   std::string text = "OFF\n10 5 0\n";
   for(int i = 0; i < 5; ++i)
@@ -640,7 +640,7 @@ TEST_CASE("reading: a Moebius band is not orientable")
 
 TEST_CASE("reading: each facet at the seams of a one-sided surface is named once, in ascending order")
 {
-  // the projective plane: six vertices, and each two of them have an edge
+  // The projective plane: six vertices, each two of them connected by an edge.
   Offending_simplices offenders;
   CHECK(read("read_projective.off",
              "OFF\n6 10 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 0\n1 1 1\n"
@@ -654,7 +654,7 @@ TEST_CASE("reading: each facet at the seams of a one-sided surface is named once
 TEST_CASE("reading: a facet with a repeated vertex is degenerate, and named")
 {
   Offending_simplices offenders;
-  // vertices 1 and 3 are at the same position
+  // Vertices 1 and 3 have the same position.
   CHECK(read("read_degenerate.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n3 0 1 2\n3 1 3 2\n", offenders)
         == Shell_status::DEGENERATE_FACET);
   CHECK(offenders.facets == std::vector<std::size_t>{ 1 });
@@ -662,7 +662,7 @@ TEST_CASE("reading: a facet with a repeated vertex is degenerate, and named")
 
 TEST_CASE("reading triangles: polygons are triangulated without new points, and not if that would join them")
 {
-  // a cube without a corner: three of its sides are concave
+  // A cube lacks one corner, so three of its sides are concave.
   const Temporary_file cube(
     "read_triangles.off",
     "OFF 14 9 0 0 0 0 2 0 0 2 2 0 0 2 0 0 0 2 2 0 2 0 2 2 2 2 1 1 2 2 2 1 2 2 1 1 1 1 2 1 2 1 1 1 1\n"
@@ -676,7 +676,7 @@ TEST_CASE("reading triangles: polygons are triangulated without new points, and 
   CHECK(CGAL::Polygon_mesh_processing::volume(mesh) == Approx(7));
   CHECK_FALSE(CGAL::Polygon_mesh_processing::does_self_intersect(mesh));
 
-  // two rhombuses back to back are best cut along the same diagonal
+  // For two rhombuses back to back, the best diagonal is the same.
   const Temporary_file pillow("read_triangles.off", "OFF 4 2 0 0 0 0 2 -1 0 4 0 0 2 1 0\n4 0 1 2 3 4 3 2 1 0\n");
   Mesh none;
   CHECK(read_polygon_mesh(pillow.name, none) == Shell_status::SUCCESS);

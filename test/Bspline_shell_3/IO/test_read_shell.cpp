@@ -1,4 +1,4 @@
-// read_shell.h, Shell_file_status.h: what is read is what was written, bit by bit, or nothing.
+// read_shell.h, Shell_file_status.h: a shell is read bit by bit as it was written, or not at all.
 #include <CGAL/Bspline_shell_3/IO/read_shell.h>
 #include "random_hierarchies.h"
 #include "shell_files.h"
@@ -180,7 +180,7 @@ TEST_CASE("files: what was cut off is an error, wherever, and leaves the shell a
       CHECK(same(target, before));
       for(std::size_t size : { std::size_t(0), bytes.size() / 2, bytes.size() - 1 }) read(bytes.substr(0, size), none);
       CHECK(none.status() == BS::Shell_status::NOT_BUILT);
-      // nor may anything follow
+      // Nothing may follow the shell.
       for(const std::string& more : { std::string("\n"), std::string(1, '\0'), std::string(" "), bytes })
         CHECK(read(bytes + more, target) == Status::DAMAGED);
       CHECK(read(bytes, target) == Status::SUCCESS);
@@ -190,7 +190,7 @@ TEST_CASE("files: what was cut off is an error, wherever, and leaves the shell a
   const Shell before = other_shell();
   check(small_shell(), before, 1);
   check(small_varying_shell(), Varying_shell(), 7);
-  // one that is read in several parts
+  // This shell is read in several parts.
   const Shell larger = CGAL::bspline_shell_3(sphere(1), CGAL::Bspline_shells::parameters::resolution(8));
   CGAL::Random random(11);
   for(Format format : { Format::BINARY, Format::ASCII }) {
@@ -212,12 +212,12 @@ TEST_CASE("files: an altered byte is an error, whichever, and leaves the shell a
       auto target = before;
       std::size_t accepted = 0;
       for(std::size_t n = 0; n < bytes.size(); n += step)
-        for(int flip : { 1, 0x20, 0x80, random.get_int(1, 256) }) { // 0x20 turns capital letters into small ones
+        for(int flip : { 1, 0x20, 0x80, random.get_int(1, 256) }) { // 0x20 turns uppercase letters into lowercase ones
           std::string altered = bytes;
           altered[n] = char(altered[n] ^ flip);
           if(read(altered, target) == Status::SUCCESS) ++accepted;
         }
-      // bytes that are missing, doubled, exchanged
+      // bytes are removed, duplicated, swapped
       for(std::size_t n = 0; n + 1 < bytes.size(); n += 7 * step) {
         std::string altered = bytes;
         altered.erase(n, 1);
@@ -340,7 +340,7 @@ TEST_CASE("files: a text that contradicts itself is refused, though its checksum
   lines[1] = "unit " + std::string(100000, '0') + "1";
   check("a line longer than any should be", lines);
 
-  // what has no other side may differ: it is another shell then
+  // Data without redundancy may differ; the file then contains another shell.
   lines = intact;
   lines[3] = "triangles 21 components 2";
   Shell other;
@@ -396,7 +396,7 @@ TEST_CASE("files: leaves that are no graded hierarchy are refused, though the ch
     check(text, lines);
   }
 
-  // one that lacks the rings of cells around a split one: the first root cell is split twice, its neighbors are not
+  // The hierarchy lacks the rings around a split cell: the first root cell is split twice, but not its neighbors.
   typedef CGAL::Bspline_shell_3<BS::Hierarchical_bspline_field_3<> > Levels_shell;
   lines = { "cubic_bspline_shell 5 ascii",
             "unit 1",
@@ -421,7 +421,7 @@ TEST_CASE("files: leaves that are no graded hierarchy are refused, though the ch
     std::istringstream(lines[n]) >> level >> i >> j >> k;
     keys[std::size_t(level)].push_back(BS::Lattice_key::encode(i, j, k));
   }
-  CHECK_FALSE(Hierarchy::from_leaves(lattice, keys)); // for this reason
+  CHECK_FALSE(Hierarchy::from_leaves(lattice, keys)); // this is why the file is refused
 }
 
 TEST_CASE("files: bytes that contradict themselves are refused, though their checksum is right")
@@ -447,7 +447,7 @@ TEST_CASE("files: bytes that contradict themselves are refused, though their che
   for(double x : { nan, infinity, -infinity })
     for(std::size_t offset : { 8, 16, 24, 48, 56, 64, 72, 140, 140 + 79 * 8, 140 + 80 * 8, 140 + 80 * 8 + 40 })
       altered("a number", offset, as_bytes(x));
-  // far more than the file holds: found out before the memory is taken
+  // The counts exceed the size of the file. This must be detected before memory is allocated.
   for(std::uint64_t count : { 0ull, 1ull, 1ull << 31, 1ull << 40, 1ull << 63, ~0ull })
     for(std::size_t offset : { 80, 88, 96 }) altered("a count", offset, as_bytes(count));
   altered("no kind of shell", 104, as_bytes(std::uint64_t(4)));

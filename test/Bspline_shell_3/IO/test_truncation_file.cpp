@@ -1,4 +1,4 @@
-// truncation_file.h: a truncation is read as it was written, whether it is valid or not.
+// truncation_file.h: a truncation is read as it was written, whether or not it is valid.
 #include <CGAL/Bspline_shell_3/IO/internal/truncation_file.h>
 #include "truncations.h"
 
@@ -13,7 +13,7 @@ namespace {
 namespace BSI = CGAL::Bspline_shells::internal;
 typedef Truncation_parts::Truncation Truncation;
 
-// null stands for no truncation
+// Writes and reads a truncation; null means that there is none.
 std::shared_ptr<const Truncation> written_and_read(const Truncation* truncation, bool is_binary)
 {
   std::stringstream file;

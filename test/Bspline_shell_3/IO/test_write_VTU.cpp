@@ -1,4 +1,4 @@
-// write_VTU.h: what other programs see is the field.
+// write_VTU.h: the file represents the field.
 #include <CGAL/Bspline_shell_3/IO/write_VTU.h>
 #include "shell_files.h"
 
@@ -31,7 +31,7 @@ std::vector<T> numbers_of(const std::string& text)
   return numbers;
 }
 
-// the arrays of a VTU file in text, by name
+// The arrays of a VTU file in text, by name.
 struct Grid
 {
   explicit Grid(const std::string& xml)
@@ -41,7 +41,7 @@ struct Grid
     REQUIRE_NOTHROW(boost::property_tree::read_xml(in, tree));
     const Tree& file = tree.get_child("VTKFile");
     CHECK(file.get<std::string>("<xmlattr>.type") == "UnstructuredGrid");
-    CHECK(file.get<std::string>("<xmlattr>.version") == "2.2"); // the order of control points depends on it
+    CHECK(file.get<std::string>("<xmlattr>.version") == "2.2"); // the order of control points depends on this version
     const Tree& piece = file.get_child("UnstructuredGrid.Piece");
     points = piece.get<std::size_t>("<xmlattr>.NumberOfPoints");
     cells = piece.get<std::size_t>("<xmlattr>.NumberOfCells");
@@ -104,7 +104,7 @@ TEST_CASE("VTU: the cells of the shell as Bezier hexahedra, and f at their contr
 
     bool offsets = true, points = true, values = true, corners = true, interpolates = true;
     const double rounding = 1e-15;
-    // VTK's order of corners; then, as a sample, one point of an edge along z, of a face, and of the interior
+    // VTK's order of corners, followed by samples: points of an edge along z, of faces, and of the interior
     const int order[][4] = { { 0, 0, 0, 0 },  { 1, 3, 0, 0 },  { 2, 3, 3, 0 }, { 3, 0, 3, 0 },  { 4, 0, 0, 3 },
                              { 5, 3, 0, 3 },  { 6, 3, 3, 3 },  { 7, 0, 3, 3 }, { 28, 3, 3, 1 }, { 31, 0, 3, 2 },
                              { 32, 0, 1, 1 }, { 41, 2, 0, 1 }, { 57, 2, 1, 1 } };
@@ -117,7 +117,7 @@ TEST_CASE("VTU: the cells of the shell as Bezier hexahedra, and f at their contr
         REQUIRE(point >= 0);
         REQUIRE(std::size_t(point) < grid.points);
         different.insert(point);
-        // the control point that is there, and its coefficient
+        // Find the coefficient of the control point at this position.
         int index = 0;
         for(int a = 0, stride = 1; a < 3; ++a, stride *= 4) {
           const double step = 3 * (grid.positions[std::size_t(3 * point + a)] - cell.corner()[std::size_t(a)])
@@ -146,14 +146,14 @@ TEST_CASE("VTU: the cells of the shell as Bezier hexahedra, and f at their contr
     CHECK(values);
     CHECK(corners);
     CHECK(interpolates);
-    // neighbors share their points: no position occurs twice, and every point is used
+    // Neighbors share their points: positions are unique, and every point is used.
     std::set<std::array<double, 3> > positions;
     for(std::size_t p = 0; p < grid.points; ++p)
       positions.insert({ grid.positions[3 * p], grid.positions[3 * p + 1], grid.positions[3 * p + 2] });
     CHECK(positions.size() == grid.points);
     CHECK(std::set<std::int64_t>(grid.connectivity.begin(), grid.connectivity.end()).size() == grid.points);
 
-    // the binary file has the same numbers, one array after the other, where the XML says
+    // The binary file has the same numbers, one array after the other, at the offsets in the XML.
     std::ostringstream binary;
     REQUIRE((whole_field ? BS::write_VTU(binary, field) : BS::write_VTU(binary, shell)) == Status::SUCCESS);
     const std::string bytes = binary.str();
@@ -193,12 +193,12 @@ TEST_CASE("VTU: cells of different sizes, and thresholds that vary at their cont
   std::ostringstream out;
   REQUIRE(BS::write_VTU(out, shell, Format::ASCII) == Status::SUCCESS);
   const Grid grid(out.str());
-  REQUIRE(grid.cells == field.number_of_cells() - 1); // the first is not marked
+  REQUIRE(grid.cells == field.number_of_cells() - 1); // the first cell is not marked
   CHECK(grid.levels.empty());
   REQUIRE(grid.f.size() == grid.points);
   REQUIRE(grid.inner.size() == grid.points);
   REQUIRE(grid.outer.size() == grid.points);
-  // a large cell, and a block of 6 x 2 x 2 small ones that share their control points
+  // A large cell, and a block of 6 x 2 x 2 small cells that share control points.
   CHECK(grid.points == 64 + (3 * 6 + 1) * (3 * 2 + 1) * (3 * 2 + 1));
   std::size_t wrong = 0;
   for(std::size_t n = 0; n < grid.cells; ++n) {
@@ -249,7 +249,7 @@ TEST_CASE("VTU: files are there and complete, or as before")
   CHECK(BS::write_VTU(vtu.name, shell) == Status::SUCCESS);
   CHECK(contents(vtu.name).substr(0, 5) == "<?xml");
   CHECK_FALSE(std::ifstream(vtu.name + ".part"));
-  // what is no shell is not written, and does not replace one
+  // An empty shell is not written, and does not replace a file.
   CHECK(BS::write_VTU(vtu.name, Shell()) == Status::NOT_A_SHELL);
   CHECK(contents(vtu.name).substr(0, 5) == "<?xml");
   CHECK_FALSE(std::ifstream(vtu.name + ".part"));

@@ -1,5 +1,5 @@
-// write_certificate.h: the text is what the format says, for shells of both kinds. Whether it proves what it claims, an
-// independent program finds out (check_certificate_test.py).
+// write_certificate.h: the text follows the format, for shells of both kinds. An independent program checks its claims
+// (check_certificate_test.py).
 #include <CGAL/Bspline_shell_3/IO/write_certificate.h>
 #include "shell_files.h"
 
@@ -10,7 +10,7 @@
 namespace test_write_certificate {
 namespace {
 
-// all claims being proved
+// Returns whether boxes of this kind cover the shell, provided that all claims are proved.
 bool is_cover(const std::string& kind)
 {
   return kind == "g" || kind == "b" || kind == "a";
@@ -25,7 +25,7 @@ void check_text(const Any_shell& shell, const Certificate& certificate)
   const Lines lines = lines_of(text);
   CHECK(text_of(lines) == text);
   CHECK(lines[0] == "cubic_bspline_shell_certificate 3");
-  // the shell is named by its text file, the mesh by what is in it
+  // The shell is identified by the checksum of its text file, the mesh by its contents.
   const std::string shell_text = written(shell, Format::ASCII);
   CHECK(lines[1] == "shell " + shell_text.substr(shell_text.size() - 17, 16));
   const auto& mesh = certificate.examined_mesh();

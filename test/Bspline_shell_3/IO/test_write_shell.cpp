@@ -1,4 +1,4 @@
-// write_shell.h, write_file.h: the text and the bytes are what the format says, and all of them, or nothing.
+// write_shell.h, write_file.h: the text and the bytes follow the format; files are complete, or not written.
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
 #include "shell_files.h"
 
@@ -19,7 +19,7 @@
 namespace test_write_shell {
 namespace {
 
-// the uniform cubic B-spline
+// Returns the value of the uniform cubic B-spline.
 double b(double t)
 {
   t = std::abs(t);
@@ -53,7 +53,7 @@ TEST_CASE("files: the text is what the format says")
   std::istringstream(lines[4]) >> word >> kind >> origin[0] >> origin[1] >> origin[2] >> spacing;
   CHECK(kind == "uniform");
   CHECK(spacing == field.cells().width());
-  // f from the functions alone, as a sum of B-splines centered at lattice points
+  // Compute f from the functions alone, as a sum of B-splines centered at lattice points.
   CGAL::Random random(5);
   for(Field::Cell_index c = 0; c < 2; ++c)
     for(int s = 0; s < 20; ++s) {
@@ -94,7 +94,7 @@ TEST_CASE("files: the text of a hierarchy with thresholds that vary is what the 
   double origin[3], spacing;
   std::istringstream(lines[4]) >> word >> kind >> origin[0] >> origin[1] >> origin[2] >> spacing;
   CHECK(kind == "hierarchical");
-  // the coefficients, of which those that are not listed follow from the level above
+  // Coefficients that are not listed follow from the level above.
   typedef std::array<int, 4> Key;
   std::map<Key, std::array<double, 3> > listed;
   for(std::size_t n = 6; n < 6 + functions; ++n) {
@@ -203,17 +203,17 @@ TEST_CASE("files: paths are where the format says, as text and as bytes")
   CHECK(at<std::uint64_t>(bytes, paths + 8) == 0);
   CHECK(at<double>(bytes, paths + 16) == 0.5);
   CHECK(at<double>(bytes, paths + 56) == 1e-3);
-  // and they are read as they are written
+  // Both formats are read as they are written.
   for(Format format : { Format::ASCII, Format::BINARY }) {
     Shell back;
     REQUIRE(read(written(shell, format), back) == Status::SUCCESS);
     CHECK(written(back, format) == written(shell, format));
-    CHECK(back.component_paths().empty()); // nothing is proved of them
+    CHECK(back.component_paths().empty()); // the paths are not proved
   }
   shell.set_path_candidates({ { 0, 0, { 0, 0, 0 }, { std::numeric_limits<double>::infinity(), 0, 0 } } });
   std::ostringstream out;
   CHECK(BS::write_shell(out, shell, Format::ASCII) == Status::NOT_A_SHELL);
-  // a component without a path
+  // A component has no path.
   shell.set_path_candidates({ { 1, 0, { 0, 0, 0 }, { 1, 0, 0 } } });
   CHECK(BS::write_shell(out, shell, Format::ASCII) == Status::NOT_A_SHELL);
 }
@@ -269,7 +269,7 @@ TEST_CASE("files: what is no shell is not written")
   levels.min = -1;
   levels.max = 1;
   check(Shell(Field(), levels, {}, {}, report));                                         // no cells
-  check(Shell(some.field(), levels, { 1 }, {}, report));                                 // not one mark for each
+  check(Shell(some.field(), levels, { 1 }, {}, report));                                 // fewer marks than cells
   check(Shell(some.field(), BS::Level_range(), some.shell_cells(), {}, report));         // empty levels
   check(Shell(some.field(), levels, some.shell_cells(), { BS::Level_range() }, report)); // an empty range
   for(double x : { nan, infinity, 1e308 }) {
@@ -281,7 +281,8 @@ TEST_CASE("files: what is no shell is not written")
   }
   report.unit = nan;
   check(Shell(some.field(), levels, some.shell_cells(), {}, report));
-  // a closing whose edges do not all end on the border, and a truncation with a core in a facet that does not exist
+  // A closing with an edge that does not end on the border, and a truncation with a core in a facet that does not
+  // exist.
   typedef BS::Shell_closing_3 Closing;
   typedef BS::Shell_truncation_3 Truncation;
   const std::vector<Closing::Point> points{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
@@ -310,7 +311,7 @@ TEST_CASE("files: what is no shell is not written")
   Varying_shell::Field outer = varying.outer_threshold().field();
   outer.set_coefficients(Eigen::VectorXd::Constant(Eigen::Index(outer.number_of_coefficients()), nan));
   check_varying(Varying_shell::Threshold(outer));
-  // on other cells
+  // The threshold has other cells.
   check_varying(Varying_shell::Threshold(Varying_shell::Field(BS::Cell_hierarchy_3(varying.field().cells().roots()))));
   other.thickness = nan;
   check_varying(varying.outer_threshold());
@@ -331,10 +332,10 @@ TEST_CASE("files: they are there and complete, or as before")
   Shell back;
   CHECK(BS::read_shell(binary.name, back) == Status::SUCCESS);
   CHECK(BS::read_shell(text.name, back) == Status::SUCCESS);
-  // what is no shell does not replace one
+  // An empty shell does not replace a file.
   CHECK(BS::write_shell(binary.name, Shell()) == Status::NOT_A_SHELL);
   CHECK(contents(binary.name) == written(shell, Format::BINARY));
-  // the extension does not decide if the format is given, nor when reading
+  // The extension is irrelevant if the format is given, and for reading.
   CHECK(BS::write_shell(binary.name, shell, Format::ASCII) == Status::SUCCESS);
   CHECK(contents(binary.name) == written(shell, Format::ASCII));
   CHECK(BS::read_shell(binary.name, back) == Status::SUCCESS);

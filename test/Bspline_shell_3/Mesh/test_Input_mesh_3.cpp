@@ -1,4 +1,5 @@
-// Input_mesh_3.h, vertex_cone.h: what is refused, for which reason and where; what is kept of the user's mesh.
+// Input_mesh_3.h, vertex_cone.h: which meshes are refused, for which reason and where; how the input refers to the
+// user's mesh.
 #include "truncations.h"
 
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
@@ -41,7 +42,7 @@ std::size_t position(const Range& range, Descriptor d)
   return std::size_t(std::distance(range.begin(), it));
 }
 
-// the positions of a mesh's facets that satisfy a condition, ascending
+// Returns the positions of a mesh's facets that satisfy a condition, in ascending order.
 template <typename Condition>
 Positions facets_where(const Mesh& mesh, const Condition& condition)
 {
@@ -89,8 +90,8 @@ Mesh tetrahedron(const Point_3& p, const Point_3& q, const Point_3& r, const Poi
   return mesh;
 }
 
-// A mesh whose ranges have holes and whose elements are in no simple order: a tetrahedron comes first and is removed
-// again, so that descriptors and positions differ.
+// Returns a copy of a mesh with gaps in its ranges: a tetrahedron is added first, and removed again. So descriptors
+// differ from positions.
 Mesh with_garbage(const Mesh& mesh)
 {
   Mesh garbage = tetrahedron(Point_3(50, 0, 0), Point_3(51, 0, 0), Point_3(50, 1, 0), Point_3(50, 0, 1));
@@ -111,8 +112,8 @@ Mesh with_garbage(const Mesh& mesh)
   return garbage;
 }
 
-// A pyramid over a simple polygon in the plane z = 0, given counterclockwise. The facets at the apex face a common
-// direction if and only if the polygon's kernel (the points that see all of it) has an interior.
+// Returns a pyramid over a simple polygon in the plane z = 0, given counterclockwise. The facets at the apex face a
+// common direction if and only if the polygon's kernel (the points that see the whole polygon) has an interior.
 Mesh pyramid(const std::vector<std::pair<double, double> >& base, const Point_3& apex)
 {
   Mesh mesh;
@@ -124,8 +125,8 @@ Mesh pyramid(const std::vector<std::pair<double, double> >& base, const Point_3&
   return mesh;
 }
 
-// Two arms of that width, in the shape of an L; the kernel is the square in its corner. One side of an arm is cut into
-// many facets, which draw the mean of the normals away from that of the other side.
+// Returns a pyramid over an L with arms of the given width. The kernel of the L is the square at its corner. A side of
+// one arm is divided into many facets, which shift the mean of the normals away from the other arm.
 Mesh pyramid_over_L(double width)
 {
   return pyramid({ { 0, 0 },
@@ -144,14 +145,14 @@ Mesh pyramid_over_L(double width)
                  Point_3(0.25, 0.25, 2));
 }
 
-// nothing sees both arms of a U
+// Returns a pyramid over a U, where no point sees both arms.
 Mesh pyramid_over_U()
 {
   return pyramid({ { 0, 0 }, { 5, 0 }, { 5, 4 }, { 4, 4 }, { 4, 1 }, { 1, 1 }, { 1, 4 }, { 0, 4 } },
                  Point_3(2, 0.5, 3));
 }
 
-// the smallest of n . g over the facets at a vertex, n and g exact
+// Returns the least n . g over the facets at a vertex, with exact n and g.
 CGAL::Exact_rational least_exact_product(const Mesh& mesh, Mesh::Vertex_index v, const Vector_3& g)
 {
   typedef CGAL::Exact_rational ET;
@@ -170,7 +171,7 @@ CGAL::Exact_rational least_exact_product(const Mesh& mesh, Mesh::Vertex_index v,
   return least;
 }
 
-// the mean of the unit normals at a vertex
+// Returns the mean of the unit normals at a vertex, up to a factor.
 Vector_3 mean_normal(const Mesh& mesh, Mesh::Vertex_index v)
 {
   Vector_3 mean = CGAL::NULL_VECTOR;
@@ -252,7 +253,7 @@ TEST_CASE("OPEN_MESH: names the facets at the border, also of polygons and after
 
 TEST_CASE("NON_MANIFOLD: names the vertex in which two closed surfaces touch")
 {
-  // two tetrahedra, the apex of the one glued to that of the other; the unused vertex goes, so that positions shift
+  // Two tetrahedra are joined at a common apex. The unused vertex is removed, so positions shift.
   const Mesh lower = tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, -1), Point_3(0, 1, -1), Point_3(-1, -1, -1));
   const Mesh upper = tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 1), Point_3(0, 1, 1), Point_3(-1, -1, 1));
   Mesh mesh = both(upper, lower);
@@ -273,7 +274,7 @@ TEST_CASE("NON_MANIFOLD: names the vertex in which two closed surfaces touch")
 
 TEST_CASE("DEGENERATE_FACET: names triangles and polygons without area, and only these")
 {
-  // an edge pq of a tetrahedron gets `cuts` points; on its left side the facet is cut along pq
+  // The edge pq of a tetrahedron gets `cuts` points. Then the facet on its left side is cut along pq.
   for(int cuts : { 1, 2 }) {
     Mesh mesh = tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1));
     const auto p = vertex_at(mesh, Point_3(0, 0, 0)), q = vertex_at(mesh, Point_3(1, 0, 0));
@@ -283,7 +284,7 @@ TEST_CASE("DEGENERATE_FACET: names triangles and polygons without area, and only
       const auto first_half = CGAL::Euler::split_edge(h, mesh);
       mesh.point(mesh.target(first_half)) = Point_3(c / 4., 0, 0);
     }
-    // A corner of 180 degrees is no defect: two polygons with such corners, and all is well.
+    // Corners of 180 degrees are not defects: two polygons with such corners are accepted.
     Input_mesh_3 input;
     REQUIRE(check(input, mesh) == Status::SUCCESS);
     CHECK(input.mesh().number_of_faces() == std::size_t(4 + 2 * cuts));
@@ -319,7 +320,7 @@ TEST_CASE("COORDINATES_OUT_OF_RANGE: too large or too small for products of doub
 
 TEST_CASE("INCONSISTENT_ORIENTATION: a flat mesh bounds no volume, even if it may intersect itself")
 {
-  // two triangles back to back, and a folded flat octahedron that no axis is orthogonal to
+  // Two triangles back to back, and a folded flat octahedron that is not orthogonal to any axis.
   Mesh flat = tetrahedron(Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(0, 4, 0), Point_3(1, 1, 0));
   Input_mesh_3 input;
   CHECK(check(input, flat) == Status::SELF_INTERSECTION);
@@ -339,7 +340,7 @@ TEST_CASE("DEGENERATE_FACET: an area of one part in 10^300 is one")
   const double tiny = std::ldexp(1., -1000);
   Input_mesh_3 input;
   Mesh mesh = tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1));
-  mesh.point(vertex_at(mesh, Point_3(0, 0, 1))) = Point_3(0, tiny, tiny); // thin, but nothing is flat
+  mesh.point(vertex_at(mesh, Point_3(0, 0, 1))) = Point_3(0, tiny, tiny); // thin, but no facet is degenerate
   CHECK(check(input, mesh) == Status::SUCCESS);
   mesh.point(vertex_at(mesh, Point_3(0, tiny, tiny))) = Point_3(0.5, 0, 0);
   REQUIRE(check(input, mesh) == Status::DEGENERATE_FACET);
@@ -351,7 +352,7 @@ TEST_CASE("DEGENERATE_FACET: an area of one part in 10^300 is one")
 
 TEST_CASE("SELF_INTERSECTION: names the facets that cross, by the user's polygons")
 {
-  // a spike from inside a box of quadrangles pierces its top
+  // A spike from the inside of a box of quadrangles pierces its top.
   const Point_3 tip(0.5, 0.3, 3);
   Mesh mesh = both(box(Point_3(-1, -1, -1), Point_3(1, 1, 1), false),
                    tetrahedron(tip, Point_3(0.4, 0.2, 0), Point_3(0.6, 0.2, 0), Point_3(0.5, 0.4, 0)));
@@ -386,7 +387,7 @@ TEST_CASE("INCONSISTENT_ORIENTATION: names one facet of each component to be tur
   REQUIRE(check(input, both(both(left, right), far)) == Status::SUCCESS);
   CHECK(input.number_of_components() == 3);
 
-  // turning the named components must mend the mesh, whichever side is taken for the right one
+  // Reversing the named components must fix the mesh, whichever side is taken as the correct one.
   const auto mend = [&input](Mesh mesh, std::size_t components) {
     REQUIRE(check(input, mesh) == Status::INCONSISTENT_ORIENTATION);
     const Positions named = input.offending_simplices().facets;
@@ -402,7 +403,7 @@ TEST_CASE("INCONSISTENT_ORIENTATION: names one facet of each component to be tur
   mend(both(left, reversed(right)), 1);
   mend(both(both(left, reversed(right)), reversed(far)), 2);
   mend(with_garbage(both(left, reversed(right))), 1);
-  // a cavity must face the other way than what is around it, and what floats in the cavity as that again
+  // A cavity must have the orientation opposite to its surroundings, and a body in the cavity again the opposite one.
   const Mesh outer = sphere(1, 4), cavity = sphere(1, 2), core = sphere(1, 1);
   mend(both(outer, cavity), 1);
   mend(both(both(outer, reversed(cavity)), reversed(core)), 1);
@@ -420,7 +421,7 @@ TEST_CASE("A mesh may be inside out, if all of it is")
   CHECK(input.number_of_components() == 2);
   REQUIRE(check(input, reversed(sphere(1))) == Status::SUCCESS);
   CHECK_FALSE(input.faces_outwards());
-  // the order of the components does not matter
+  // The order of the components does not matter.
   REQUIRE(check(input, both(reversed(sphere(1, 2)), sphere(1, 4))) == Status::SUCCESS);
   CHECK(input.faces_outwards());
 }
@@ -448,7 +449,7 @@ TEST_CASE("A vertex with the least positive cone margin is not singular")
     CAPTURE(exponent);
     const Mesh mesh = pyramid_over_L(std::ldexp(1., -exponent));
     const auto apex = vertex_at(mesh, Point_3(0.25, 0.25, 2));
-    // the mean of the normals is no answer here, so that the linear program has to find one
+    // The mean of the normals is not a solution here, so the linear program must find one.
     REQUIRE(least_exact_product(mesh, apex, mean_normal(mesh, apex)) <= 0);
     const std::optional<Vector_3> g = vertex_cone(mesh, apex);
     REQUIRE(g);
@@ -457,7 +458,7 @@ TEST_CASE("A vertex with the least positive cone margin is not singular")
     Input_mesh_3 input;
     CHECK(check(input, mesh) == Status::SUCCESS);
   }
-  // at width zero the arms of the L would have no area; a kernel that is a segment is none
+  // The kernel of the first polygon is a rectangle. The kernel of the second one is a segment, which has no interior.
   const Mesh flat_kernel = pyramid({ { 0, 0 }, { 4, 0 }, { 4, 2 }, { 8, 2 }, { 8, 4 }, { 4, 4 }, { 4, 6 }, { 0, 6 } },
                                    Point_3(2, 3, 2));
   const Mesh no_kernel = pyramid({ { 0, 0 }, { 4, 0 }, { 4, 4 }, { 8, 4 }, { 8, 8 }, { 2, 8 }, { 2, 4 }, { 0, 4 } },
@@ -523,7 +524,7 @@ TEST_CASE("Facets and vertices have the points of those that they come from, als
     for(auto f : input.mesh().faces()) {
       auto h = mesh.halfedge(faces[input.facet_of_origin(f)]);
       const auto t = input.triangle(f);
-      // the first corner may be another one
+      // The facet may begin at another corner.
       for(int turns = 0; turns < 2 && mesh.point(mesh.source(h)) != t[0]; ++turns) h = mesh.next(h);
       CHECK(t
             == std::array<Point_3, 3>{ mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
@@ -564,7 +565,7 @@ Status check_truncated(Input_mesh_3& input, const Mesh& mesh, const Truncation_p
   return input.build<CGAL::Sequential_tag>(mesh, mesh.points(), tolerated, Input_mesh_3::Closer(), truncator);
 }
 
-// a pyramid over a square, without its base
+// Returns a pyramid over a square, without its base.
 Mesh open_pyramid()
 {
   Mesh mesh;
@@ -576,7 +577,7 @@ Mesh open_pyramid()
   return mesh;
 }
 
-// its base, with a point below
+// Returns the missing base, with a point below.
 Closing base_of_pyramid(const Closing::Point& below)
 {
   return Closing({ { 1, 0, 0 }, { 0, 1, 0 }, { -1, 0, 0 }, { 0, -1, 0 }, below }, 4,
@@ -598,7 +599,7 @@ TEST_CASE("Each facet of a closed mesh belongs to the user's mesh or to the clos
 TEST_CASE("A closing of another mesh is refused, and so is one that does not make a surface of the mesh")
 {
   const Mesh mesh = open_pyramid();
-  const Positions all = { 0, 1, 2, 3 }; // each has an edge on the border
+  const Positions all = { 0, 1, 2, 3 }; // each facet has an edge on the border
   Input_mesh_3 input;
   const auto refused = [&](const Mesh& m, const Closing& closing) {
     const Status status = check_closed(input, m, closing);
@@ -610,17 +611,17 @@ TEST_CASE("A closing of another mesh is refused, and so is one that does not mak
   Mesh moved = mesh;
   moved.point(Mesh::Vertex_index(1)) = Point_3(1.1, 0, 0);
   CHECK(refused(moved, base_of_pyramid({ 0, 0, -1 })) == Status::OPEN_MESH);
-  // triangles without area, and coordinates out of range
+  // degenerate triangles, and coordinates out of range
   CHECK(refused(mesh, base_of_pyramid({ 0.5, 0.5, 0 })) == Status::NOT_CLOSABLE);
   CHECK(refused(mesh, base_of_pyramid({ 0, 0, -1e70 })) == Status::NOT_CLOSABLE);
-  // an edge that the mesh has, too
+  // The closing has an edge that the mesh also has.
   Mesh square = sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; });
   const Closing across({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.7, 0.3, -1 }, { 0.3, 0.7, -1 } }, 4,
                        { { 1, 0, 4 }, { 2, 1, 4 }, { 0, 2, 4 }, { 3, 2, 5 }, { 0, 3, 5 }, { 2, 0, 5 } },
                        std::vector<Closing::Kind>(6, Closing::Kind::BACK));
   CHECK(check_closed(input, square, across) == Status::NOT_CLOSABLE);
   CHECK(input.offending_simplices().facets == Positions{ 0, 1 });
-  // triangles that intersect the mesh: its own facets are listed
+  // If triangles intersect the mesh, facets of the mesh are reported.
   CHECK(check_closed(input, mesh, base_of_pyramid({ 0.9, 0.9, 0.3 })) == Status::NOT_CLOSABLE);
   CHECK_FALSE(input.offending_simplices().facets.empty());
   for(std::size_t f : input.offending_simplices().facets) CHECK(f < mesh.number_of_faces());
@@ -642,7 +643,7 @@ TEST_CASE("Cores have the facets that they are parts of, and discs have none")
     CHECK(input.part_of_facet(n) == (n < faces.size() ? Part::MESH : Part::DISC));
     in_discs += n >= faces.size() ? 1 : 0;
     if(n >= faces.size()) continue;
-    // all its vertices are in the plane of the facet, up to rounding
+    // All vertices are in the plane of the facet, up to rounding.
     const auto h = mesh.halfedge(faces[n]);
     const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h));
     const Point_3& r = mesh.point(mesh.target(mesh.next(h)));
@@ -656,7 +657,7 @@ TEST_CASE("Cores have the facets that they are parts of, and discs have none")
 
 TEST_CASE("A tip that another facet pierces is refused, even if self-intersections are tolerated")
 {
-  // the tip is beyond the disc: the truncated mesh does not intersect itself
+  // The tip is beyond the disc, so the truncated mesh does not intersect itself.
   Mesh mesh = ::pyramid(4, 1);
   const Truncation_parts parts = truncation_at(mesh, { Mesh::Vertex_index(0) }, false);
   mesh = both(mesh, box(Point_3(-0.5, -0.5, 0.9), Point_3(0.5, 0.5, 1.5)));
@@ -683,12 +684,12 @@ TEST_CASE("A truncation that does not make a surface of the mesh is refused, wit
     CHECK_FALSE(input.truncation());
     return status;
   };
-  parts.points.back() = parts.points[parts.discs[0].rim[1]]; // the middle of the disc is on its rim
+  parts.points.back() = parts.points[parts.discs[0].rim[1]]; // the inner point of the disc is on its rim
   CHECK(refused(mesh, parts) == Status::NOT_TRUNCATABLE);
   parts.points.back() = { 0, 0, 1e70 };
   CHECK(refused(mesh, parts) == Status::NOT_TRUNCATABLE);
 
-  // facets of the closing are not the user's to be cut
+  // Facets of the closing are not part of the user's mesh, and cannot be cut.
   Mesh open = mesh;
   CGAL::Euler::remove_face(open.halfedge(v), open);
   open.collect_garbage();
@@ -719,7 +720,7 @@ TEST_CASE("Coordinates of a lazy kernel are rounded as the numbers that they sta
 {
   typedef CGAL::Exact_predicates_exact_constructions_kernel Lazy_kernel;
   typedef Lazy_kernel::FT Lazy;
-  // an enclosure of x that is too wide to round it, yet narrow enough for to_double()
+  // An enclosure of x that is too wide for correct rounding, but narrow enough for to_double().
   const auto wide = [](double x) {
     const Lazy large = Lazy(1e9) / Lazy(3);
     return Lazy((Lazy(x) + large) - large);

@@ -1,4 +1,4 @@
-// Local_gap_3.h: walls and gaps of known width, and any mesh against a search through pairs of points.
+// Local_gap_3.h: walls and gaps of known width, and arbitrary meshes compared with a search through pairs of points.
 #include <CGAL/Bspline_shell_3/Mesh/Local_gap_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
 #include "test_meshes.h"
@@ -77,7 +77,7 @@ TEST_CASE("local gaps: between two boxes, their distance where they are opposite
     if(n[2] > 0.5 && z == 1) {
       const Point below[3] = { { 1.1, 1.1, 1 }, { 1.5, 1.2, 1 }, { 1.4, 1.8, 1 } };
       CHECK(gap(f, below, 3, CGAL::POSITIVE) == Approx(0.25).epsilon(1e-9));
-      // a ball that touches the plane at distance d beside the box, and the edge of the box
+      // The ball touches the plane at distance d beside the box, and the edge of the box.
       const Point beside = { 2.5, 1.5, 1 };
       CHECK(gap(f, &beside, 1, CGAL::POSITIVE) == Approx((0.25 + 0.0625) / 0.25).epsilon(1e-6));
       CHECK(gap(f, &beside, 1, CGAL::POSITIVE, 1.) == 1);
@@ -90,7 +90,7 @@ TEST_CASE("local gaps: between two boxes, their distance where they are opposite
 TEST_CASE(
   "local gaps: a large slanted facet is found whatever the search begins with, also where balls reach through it")
 {
-  // below a lid that falls from z = 20 to z = 0.5
+  // The facet is below a lid that falls from z = 20 to z = 0.5.
   Mesh mesh;
   const double z[2] = { 20, 0.5 };
   std::vector<Mesh::Vertex_index> v;
@@ -111,8 +111,8 @@ TEST_CASE(
   const BS::Local_gap_3 gap(input);
   for(auto f : input.mesh().faces()) {
     if(unit_normal(input.triangle(f))[2] > -0.5) continue;
-    // nearest where the lid is lowest; at the lid's normal's slant a ball of diameter D above p touches it at distance
-    // D / 2
+    // The gap is narrowest where the lid is lowest. A ball of diameter D on the point p touches the lid if the distance
+    // of its center from the lid is D / 2.
     const Point part[4] = { { 10, 40, 0 }, { 40, 40, 0 }, { 40, 60, 0 }, { 10, 60, 0 } };
     for(double most : { infinity, 1000., 100., 30., 20. }) {
       const double at_40 = 20 - 0.195 * 40, cosine = 1 / std::sqrt(1 + 0.195 * 0.195);
@@ -178,7 +178,7 @@ TEST_CASE("local gaps: they are never larger than what pairs of points say, and 
     }
     CHECK(too_large == 0);
     REQUIRE(found > 20);
-    // random points come near, mostly
+    // Random points usually come close to the gap.
     std::sort(ratios.begin(), ratios.end());
     CHECK(ratios[ratios.size() / 2] < 1.25);
   }

@@ -1,5 +1,6 @@
-// The signed distance to a mesh against a search through all facets in exact arithmetic, winding numbers and closed
-// forms; the side told by the closest point, and samples on cells, against one exact query each.
+// The signed distance from a mesh is compared with a search through all facets in exact arithmetic, with winding
+// numbers, and with closed forms. Sides by the closest point, and samples on cells, are compared with single exact
+// queries.
 #include <CGAL/Bspline_shell_3/Mesh/Mesh_signed_distance_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/Fit/sample_signed_distance.h>
@@ -63,7 +64,8 @@ Rational dot(const Exact_vector& u, const Exact_vector& v)
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
-// the least over all facets: over the plane where the foot of the perpendicular is in the facet, and over the sides
+// Returns the least distance from all facets: from the plane if the foot of the perpendicular is in the facet, and from
+// the sides.
 double brute_force_distance(const BS::Input_mesh_3& input, const Point_3& point)
 {
   const Exact_vector p = exact(point);
@@ -93,7 +95,7 @@ double brute_force_distance(const BS::Input_mesh_3& input, const Point_3& point)
   return std::sqrt(CGAL::to_double(least));
 }
 
-// how often the mesh winds around a point: the sum of its facets' solid angles
+// Returns the winding number of the mesh around a point: the sum of the solid angles of its facets.
 double winding_number(const BS::Input_mesh_3& input, const Point_3& p)
 {
   double sum = 0;
@@ -107,7 +109,7 @@ double winding_number(const BS::Input_mesh_3& input, const Point_3& p)
   return sum / (4 * std::acos(-1.));
 }
 
-// coordinates of size one; what rounding does to a closest point is some bits of them
+// Coordinates have size one; rounding changes a closest point by a few bits.
 const double rounding = 32 * eps;
 
 void check_against_brute_force(const Mesh& mesh, int points, double reach)
@@ -121,8 +123,8 @@ void check_against_brute_force(const Mesh& mesh, int points, double reach)
                     random.get_double(-reach, reach));
     const double distance = brute_force_distance(input, p), winding = winding_number(input, p);
     REQUIRE(std::abs(winding - std::round(winding)) < 1e-9);
-    // facets that face outwards wind once around the inside; facets that face inwards, -1 times: then the outside is
-    // behind
+    // Facets that face outwards wind once around the inside. Facets that face inwards wind around it -1 times, and the
+    // outside is behind them.
     const bool behind = input.faces_outwards() ? std::round(winding) == 1 : std::round(winding) == 0;
     CHECK(oracle.distance(p) == Approx(distance).epsilon(0).margin(rounding * reach));
     CHECK(oracle.sign(p) == (behind ? -1 : 1));
@@ -151,7 +153,7 @@ BS::Cell_complex_3 all_cells(const BS::Input_mesh_3& input, double spacing, int 
                             BS::dilate(BS::cells_entered_by_mesh<CGAL::Sequential_tag>(input, lattice), -rings, rings));
 }
 
-// samples that are made together, and one query each
+// The samples that are computed together, compared with single queries.
 struct Comparison
 {
   std::size_t samples = 0, negative = 0, positive = 0, wrong_sign = 0, wrong_distance = 0;
@@ -191,12 +193,13 @@ void check_samples(const Mesh& mesh, double spacing, int rings)
   const BS::Mesh_signed_distance_3 oracle(input);
   const BS::Cell_complex_3 cells = all_cells(input, spacing, rings);
   check_samples(oracle, cells);
-  // and on leaves of different size
+  // The same check on leaves of different sizes.
   CGAL::Random random(7);
   check_samples(oracle, random_hierarchy(random, cells, 2));
 }
 
-// Two fans over a ring, whose radii and heights alternate: creases that are convex and concave, saddles where they end.
+// Returns two fans over a ring with alternating radii and heights. Their creases are convex and concave, and end at
+// saddles.
 Mesh star(int points, double inner, double outer, double zigzag, double height)
 {
   Mesh mesh;
@@ -213,7 +216,8 @@ Mesh star(int points, double inner, double outer, double zigzag, double height)
   return mesh;
 }
 
-// a facet gets a vertex next to the middle of one of its sides: two facets and a needle of that width, relative to it
+// Adds a vertex to a facet, next to the middle of one of its sides. This gives two facets and a needle of the given
+// relative width.
 void add_needle(Mesh& mesh, Mesh::Face_index f, double width)
 {
   const auto h = mesh.halfedge(f);
@@ -230,8 +234,9 @@ Mesh with_needles(Mesh mesh, double width)
   return mesh;
 }
 
-// The side of points at all distances from vertices, edges and facets, told by the closest point, and exactly.
-// \param coordinates their size, in that of the mesh
+// Compares the side by the closest point with the exact side, for points at all distances from vertices, edges and
+// facets.
+// \param coordinates size of coordinates relative to the mesh
 void check_sides(const Mesh& mesh, double coordinates = 1)
 {
   for(bool inside_out : { false, true }) {
@@ -246,14 +251,14 @@ void check_sides(const Mesh& mesh, double coordinates = 1)
     for(auto f : input.mesh().faces()) {
       const auto t = input.triangle(f);
       for(int n = 0; n < 100; ++n) {
-        // of a corner, of an edge, or of the inside
+        // barycentric coordinates of a corner, of a point on an edge, or of an inner point
         double b[3] = { random.get_double(), n % 4 > 0 ? random.get_double() : 0.,
                         n % 4 > 1 ? random.get_double() : 0. };
         const double sum = b[0] + b[1] + b[2];
         Point_3 p = CGAL::barycenter(t[n % 3], b[0] / sum, t[(n + 1) % 3], b[1] / sum, t[(n + 2) % 3], b[2] / sum);
         p = p + coordinates * std::pow(10, random.get_double(-13, 0)) * direction();
         const double signed_distance = oracle.signed_distance(p, hint), distance = oracle.distance(p);
-        if(!(distance > 1e-12 * coordinates)) continue; // rounding of a closest point decides
+        if(!(distance > 1e-12 * coordinates)) continue; // rounding of the closest point decides
         wrong += (signed_distance > 0 ? 1 : -1) != oracle.sign(p);
         wrong += !(std::abs(std::abs(signed_distance) - distance) <= 4 * rounding * coordinates);
         ++(signed_distance > 0 ? positive : negative);
@@ -266,7 +271,7 @@ void check_sides(const Mesh& mesh, double coordinates = 1)
   }
 }
 
-// a user's oracle: no mesh at all
+// A user's oracle, which needs no mesh.
 struct Ball
 {
   typedef ::Point_3 Point_3;
@@ -345,7 +350,7 @@ TEST_CASE("signed distance: points of the mesh have none, the next double has a 
       const auto at = [&](double x, const Point_3& p) {
         return Point_3(axis == 0 ? x : p.x(), axis == 1 ? x : p.y(), axis == 2 ? x : p.z());
       };
-      // on a side, on its edges, on its corners
+      // on a side, on its edges, at its corners
       const auto coordinate = [&](int d) {
         return n % 5 == 4 ? a[d] : n % 7 == 6 ? b[d] : random.get_double(a[d], b[d]);
       };
@@ -387,12 +392,12 @@ TEST_CASE("signed distance: where the search starts does not change what it find
   BS::Mesh_signed_distance_3::Hint hint;
   Point_3 p(0, 0, 0);
   for(int n = 0; n < 2000; ++n) {
-    // short steps, as the samples of a cell make them, and some jumps, for which the hint is poor
+    // Steps are usually short, as between the samples of a cell. After a jump, the hint is poor.
     const double step = n % 10 == 0 ? 1.5 : 0.05;
     p = Point_3(random.get_double(-step, step), random.get_double(-step, step), random.get_double(-step, step))
         + (n % 10 == 0 ? Vector_3(0, 0, 0) : p - CGAL::ORIGIN);
     CHECK(oracle.signed_distance(p, hint) == Approx(oracle(p)).epsilon(0).margin(rounding));
-    // and the new hint is the closest facet
+    // The new hint is the closest facet.
     const auto t = input.triangle(BS::Input_mesh_3::Face_index(hint.triangle));
     CHECK(std::sqrt(CGAL::squared_distance(Kernel::Triangle_3(t[0], t[1], t[2]), p))
           == Approx(oracle.distance(p)).epsilon(0).margin(rounding));
@@ -476,7 +481,7 @@ TEST_CASE("signed distance: the closest point tells the side, also at creases, s
 
 TEST_CASE("signed distance: where a mesh intersects itself, the side is that of the closest facet")
 {
-  // two boxes, and a part of each inside of the other
+  // Two boxes overlap.
   const Mesh mesh = both(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), box(Point_3(0.5, 0.2, 0.3), Point_3(1.6, 0.7, 0.8)));
   const BS::Input_mesh_3 input = input_of(mesh);
   const BS::Mesh_signed_distance_3 oracle(input);
@@ -492,7 +497,7 @@ TEST_CASE("signed distance: where a mesh intersects itself, the side is that of 
     CHECK(oracle.signed_distance(p, hint) == Approx(expected).epsilon(0).margin(rounding));
     differ += first < 0 && second < 0;
   }
-  CHECK(differ > 50); // where an odd number of facets would say something else
+  CHECK(differ > 50); // the parity of crossed facets would give another side
 }
 
 TEST_CASE("samples of the distance: together they are a uniform lattice, two to a cell and axis")

@@ -1,4 +1,5 @@
-// Shell_closing_3.h: triangles that close every mesh with their border, and no other; they come and go without a trace.
+// Shell_closing_3.h: triangles that close every mesh with their border, and no other. Attaching and detaching them
+// restores the mesh.
 #include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
 #include "test_meshes.h"
 
@@ -18,7 +19,7 @@ namespace {
 namespace BS = CGAL::Bspline_shells;
 typedef BS::Shell_closing_3 Closing;
 
-// the unit cube without its top, and without a facet of it if there is no border
+// Returns the unit cube without its top.
 Mesh open_cube()
 {
   Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
@@ -33,7 +34,7 @@ Mesh open_cube()
   return mesh;
 }
 
-// a roof with a ridge point
+// Returns a roof with one inner point.
 Closing roof(double height = 1.5)
 {
   return Closing({ { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 }, { 0.5, 0.5, height } }, 4,
@@ -104,7 +105,7 @@ TEST_CASE("Closing: a mesh with another border is left as it is")
   };
   const Mesh cube = open_cube();
   REQUIRE_FALSE(is_refused(cube, roof()));
-  CHECK(is_refused(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), roof())); // closed already
+  CHECK(is_refused(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), roof())); // already closed
 
   Mesh moved = cube; // by one unit in the last place
   for(auto v : moved.vertices())
@@ -120,22 +121,22 @@ TEST_CASE("Closing: a mesh with another border is left as it is")
     }
   CHECK(is_refused(split, roof()));
 
-  Mesh another = cube; // one hole more
+  Mesh another = cube; // with another hole
   CGAL::Euler::remove_face(another.halfedge(*another.faces().begin()), another);
   another.collect_garbage();
   CHECK(is_refused(another, roof()));
 
-  // the triangles turn their backs to where the mesh faces
+  // The triangles have the opposite orientation to the mesh.
   CHECK(is_refused(cube, Closing(roof().points(), 4, { { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 4 }, { 0, 3, 4 } },
                                  std::vector<Closing::Kind>(4, Closing::Kind::CAP))));
-  // an edge that the mesh has, too, after facets have been added: the diagonal of a square
+  // The closing has an edge that the mesh also has, the diagonal of a square. This is detected after facets were added.
   const Mesh square = sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; });
   const Closing across({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.7, 0.3, -1 }, { 0.3, 0.7, -1 } }, 4,
                        { { 1, 0, 4 }, { 2, 1, 4 }, { 0, 2, 4 }, { 3, 2, 5 }, { 0, 3, 5 }, { 2, 0, 5 } },
                        std::vector<Closing::Kind>(6, Closing::Kind::BACK));
   REQUIRE(across.is_valid());
   CHECK(is_refused(square, across));
-  // two points of the border in one place
+  // Two points of the border have the same position.
   CHECK(is_refused(cube, Closing({ { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 0, 1 } }, 4,
                                  { { 0, 1, 2 }, { 0, 2, 3 } }, std::vector<Closing::Kind>(2, Closing::Kind::CAP))));
 }
@@ -154,28 +155,29 @@ TEST_CASE("Closing: triangles that can close no mesh are told from those that ca
   CHECK(is_valid(3, 3, { { 0, 1, 2 } }));
   CHECK(is_valid(4, 3, { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } }));
   CHECK(is_valid(6, 6, { { 0, 1, 2 }, { 3, 4, 5 } }));
-  CHECK_FALSE(is_valid(3, 3, { { 0, 1, 3 } })); // a point that there is not
+  CHECK_FALSE(is_valid(3, 3, { { 0, 1, 3 } })); // a point that does not exist
   CHECK_FALSE(is_valid(3, 4, { { 0, 1, 2 } }));
   CHECK_FALSE(is_valid(3, 3, { { 0, 1, 1 } }));
   CHECK_FALSE(is_valid(4, 4, { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } })); // the apex is on no border
   CHECK_FALSE(is_valid(4, 3, { { 0, 1, 2 } }));                           // a point in no triangle
-  CHECK_FALSE(is_valid(5, 3, { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 4 } })); // open between interior points
-  CHECK_FALSE(is_valid(4, 4, { { 0, 1, 2 }, { 0, 1, 3 } }));              // an edge twice the same way
+  CHECK_FALSE(is_valid(5, 3, { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 4 } })); // open between inner points
+  CHECK_FALSE(is_valid(4, 4, { { 0, 1, 2 }, { 0, 1, 3 } }));              // an edge twice in the same direction
   CHECK_FALSE(is_valid(5, 5, { { 0, 1, 2 }, { 0, 3, 4 } }));              // the border passes a point twice
-  // a roof with a triangle within, and the same with that triangle twice: its edges have others on their other sides
+  // A roof with an inner triangle; and the roof with that triangle twice, so each of its edges has several facets on
+  // one side.
   const std::vector<Closing::Triangle> roof = { { 0, 1, 3 }, { 1, 4, 3 }, { 1, 2, 4 }, { 2, 5, 4 },
                                                 { 2, 0, 5 }, { 0, 3, 5 }, { 3, 4, 5 } };
   std::vector<Closing::Triangle> twice = roof;
   twice.push_back({ 3, 4, 5 });
   CHECK(is_valid(6, 3, roof));
   CHECK_FALSE(is_valid(6, 3, twice));
-  // a tetrahedron that touches it in a point: on the border, or within
+  // A tetrahedron touches the roof in a point, on the border or inside.
   for(Closing::Index p : { 0u, 3u }) {
     std::vector<Closing::Triangle> pinched = roof;
     pinched.insert(pinched.end(), { { p, 6, 7 }, { p, 7, 8 }, { p, 8, 6 }, { 8, 7, 6 } });
     CHECK_FALSE(is_valid(9, 3, pinched));
   }
-  // beside it, it is another component
+  // A separate tetrahedron is another component.
   std::vector<Closing::Triangle> beside = roof;
   beside.insert(beside.end(), { { 9, 6, 7 }, { 9, 7, 8 }, { 9, 8, 6 }, { 8, 7, 6 } });
   CHECK(is_valid(10, 3, beside));

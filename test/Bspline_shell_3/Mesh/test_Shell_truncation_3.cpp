@@ -1,5 +1,5 @@
-// Shell_truncation_3.h: a truncation that is made by hand is proved, and so is its map; each error in it is found. It
-// is applied to meshes that have its facets, and to no others.
+// Shell_truncation_3.h: a handmade truncation and its map are proved, and each error in it is found. It is applied to
+// meshes that have its facets, and to no others.
 #include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
 #include "truncations.h"
 
@@ -28,8 +28,8 @@ typedef Truncation::Index Index;
 
 typedef Truncation_parts Parts;
 
-// The apex of `pyramid(4, 1)` is cut off halfway: by a square, or, with `has_point`, by a roof with a point in the
-// middle.
+// The apex of `pyramid(4, 1)` is cut off halfway, and replaced by a square. With `has_point`, it is replaced by a roof
+// with a point in the middle.
 Parts square_pyramid(bool has_point = false)
 {
   Parts parts;
@@ -43,7 +43,7 @@ Parts square_pyramid(bool has_point = false)
   Truncation::Disc disc;
   disc.center = apex;
   for(Index i = 0; i < 4; ++i) {
-    const auto p = parts.points[1 + i]; // a copy: the vector grows
+    const auto p = parts.points[1 + i]; // a copy, as the vector grows
     parts.points.push_back({ p[0] / 2, p[1] / 2, 0.5 });
     parts.cuts.push_back({ apex, 1 + i, npos, 0.5, 0 });
     parts.planar.push_back({ p[0], p[1] });
@@ -62,7 +62,7 @@ Parts square_pyramid(bool has_point = false)
   return parts;
 }
 
-// a point in space of a place in one of the facets that are cut, or in a new one
+// Returns the position of a place in one of the cut facets, or in a new one.
 Point_3 point(const Truncation& t, const Truncation::Place& place, bool is_new)
 {
   const Truncation::Triangle triangle = is_new ? t.new_facet(place.facet) : t.cut_facets()[place.facet];
@@ -104,19 +104,19 @@ TEST_CASE("Each error in a truncation is found")
 {
   const double infinity = std::numeric_limits<double>::infinity();
   const std::vector<std::function<void(Parts&)> > errors = {
-    [](Parts& p) { p.points[2] = p.points[1]; }, // two corners in one place
+    [](Parts& p) { p.points[2] = p.points[1]; }, // two corners at one position
     [=](Parts& p) { p.points[6][1] = infinity; },
     [=](Parts& p) { p.planar[1][1] = infinity; },
     [](Parts& p) { p.planar.pop_back(); },
     [](Parts& p) { p.cuts[0].s = 0; },
     [](Parts& p) { p.cuts[0].s = 1; },
     [](Parts& p) { p.cuts[0].t = 0.25; },  // on an edge, and in a facet
-    [](Parts& p) { p.cuts[0].first = 2; }, // on another edge than the facets that use it
+    [](Parts& p) { p.cuts[0].first = 2; }, // on another edge than in the facets that use it
     [](Parts& p) { p.cuts[0].center = 1; },
     [](Parts& p) {
       p.cuts[0].second = 2;
       p.cuts[0].t = 0.25;
-    }, // within a facet, so that its neighbor has a gap
+    }, // within a facet, so its neighbor has a gap
     [](Parts& p) {
       p.cuts[0].second = 2;
       p.cuts[0].t = 0.75;
@@ -143,7 +143,7 @@ TEST_CASE("Each error in a truncation is found")
     [](Parts& p) { p.discs[0].triangles.pop_back(); },
     [](Parts& p) { p.discs[0].triangles.push_back(p.discs[0].triangles.back()); },
     [](Parts& p) { std::swap(p.discs[0].triangles[1][0], p.discs[0].triangles[1][1]); },
-    [](Parts& p) { p.discs[0].triangles[1][0] = 1; }, // not of the disc
+    [](Parts& p) { p.discs[0].triangles[1][0] = 1; }, // does not belong to the disc
     [](Parts& p) {
       p.planar[0] = { -0.5, 0.25 };
     }, // the polygon is not star-shaped
@@ -159,15 +159,15 @@ TEST_CASE("Each error in a truncation is found")
       CHECK_FALSE(parts.is_valid());
     }
   Parts parts = square_pyramid(true);
-  parts.planar[4] = { 0.7, 0.7 }; // the point in the disc is outside of the polygon
+  parts.planar[4] = { 0.7, 0.7 }; // the inner point of the disc is outside the polygon
   CHECK_FALSE(parts.is_valid());
-  parts.planar = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 }, { 0.5, 0.5 } }; // on its boundary
+  parts.planar = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 }, { 0.5, 0.5 } }; // on the boundary of the polygon
   CHECK_FALSE(parts.is_valid());
 }
 
 TEST_CASE("Parts that overlap tile no facet")
 {
-  // a cut within the first facet: as the cores have it, it is nearer to the apex than those on the edges
+  // A cut within the first facet is closer to the apex than the cuts on its edges, as the cores require.
   Parts parts = square_pyramid();
   const Index inner = 9;
   const auto p = parts.planar[0], q = parts.planar[1];
@@ -182,7 +182,7 @@ TEST_CASE("Parts that overlap tile no facet")
   disc.facets = { 0, 0, 1, 2, 3 };
   disc.triangles = { { inner, 6, 7 }, { inner, 7, 8 }, { inner, 8, 5 } };
   CHECK(parts.is_valid());
-  // there it is not: the same edges bound triangles of which one is turned round
+  // At these places it is farther away: the same edges bound triangles, but one of them is inverted.
   for(double s : { 0.375, 0.625 }) {
     parts.cuts.back().s = parts.cuts.back().t = s;
     CHECK_FALSE(parts.is_valid());
@@ -191,7 +191,7 @@ TEST_CASE("Parts that overlap tile no facet")
 
 TEST_CASE("A truncation whose disc and core have an edge in common is not valid: the mesh would have four facets at it")
 {
-  // Three cuts within the first facet. The core has the edge between the cuts on its sides.
+  // There are three cuts within the first facet. The core has the edge between the two outer ones.
   Parts parts = square_pyramid();
   const auto p = parts.points[1], q = parts.points[2];
   for(const auto& st : { Truncation::Planar_point{ 0.0625, 0.25 }, { 0.0625, 0.0625 }, { 0.25, 0.0625 } }) {
@@ -276,7 +276,7 @@ TEST_CASE("Facets with a common edge cut it in the same points")
   Parts same = parts;
   same.cores.push_back({ { 2, 4, 8 }, 0 });
   CHECK(same.is_valid());
-  // the first facet has a cut of the other edge, too
+  // The first facet also has a cut of the other edge.
   parts.cores.push_back({ { 2, 4, 6 }, 0 });
   parts.cores.push_back({ { 2, 6, 8 }, 0 });
   CHECK_FALSE(parts.is_valid());
@@ -288,7 +288,7 @@ TEST_CASE("A disc with a hole is none")
   Truncation::Disc& disc = parts.discs[0];
   disc.triangles.clear();
   for(Index i = 0; i < 4; ++i) {
-    const auto p = parts.points[1 + i]; // a copy: the vector grows
+    const auto p = parts.points[1 + i]; // a copy, as the vector grows
     parts.points.push_back({ p[0] / 4, p[1] / 4, 0.5 });
     parts.planar.push_back({ p[0] / 2, p[1] / 2 });
     const Index j = (i + 1) % 4;
@@ -354,10 +354,10 @@ TEST_CASE("The map of a truncation fixes what is not cut off, and returns")
       const Truncation::Place place = { Index(random() % t.number_of_new_facets()), random_barycentric(random) };
       CHECK(distance(point(t, place, true), point(t, t.image(t.preimage(place)), true)) < 1e-14);
     }
-    // the apex, from all its facets
+    // the image of the apex, computed in each of its facets
     const Point_3 apex = point(t, t.image({ 0, { 1, 0, 0 } }), true);
     for(Index f = 1; f < 4; ++f) CHECK(distance(apex, point(t, t.image({ f, { 1, 0, 0 } }), true)) < 1e-15);
-    // it is in the middle of the planar square, where the square disc has its diagonal
+    // It is in the middle of the planar square, on the diagonal of the disc.
     if(!has_point) CHECK(distance(apex, Point_3(0, 0, 0.5)) < 1e-15);
   }
 }
@@ -365,7 +365,7 @@ TEST_CASE("The map of a truncation fixes what is not cut off, and returns")
 TEST_CASE("The map of a truncation is one-to-one: it covers each disc once")
 {
   const Truncation t = square_pyramid(true).assembled();
-  // a fine grid of triangles in each tip is mapped to the disc with positive areas that sum up to its area
+  // A fine grid of triangles in each tip is mapped to the disc. Areas are positive, and sum to the area of the disc.
   double area = 0;
   constexpr int n = 64;
   const auto planar = [&](const Truncation::Place& place) {
@@ -458,10 +458,10 @@ void check_applied(bool has_point)
     std::rotate(corners.begin(), first, corners.end());
     for(int i = 0; i < 3; ++i) CHECK(corners[i] == t.points()[triangle[i]]);
   }
-  // a square of half the size, and half as high, is cut off; the roof has a third of its height
+  // The part that is cut off has half the size of the pyramid. The roof on its base has a fifth of its height.
   const double tip = before / 8;
   CHECK(PMP::volume(mesh) == Approx(before - tip + (has_point ? tip * 0.2 : 0)));
-  // nothing is left to truncate
+  // Nothing is left to truncate.
   const auto again = t.match(mesh, vpm);
   CHECK(std::count(again.begin(), again.end(), boost::graph_traits<FaceGraph>::null_halfedge()) == 4);
   CHECK(t.apply(mesh, vpm)->patches == 0);
@@ -533,7 +533,7 @@ TEST_CASE("Discs may share facets and edges, touch the border, and replace all v
   check_truncated<Mesh>(ball, all, 1);
   check_truncated<CGAL::Polyhedron_3<Kernel> >(ball, { v, beside }, 1);
   check_truncated<CGAL::Polyhedron_3<Kernel> >(ball, all, 1);
-  // all facets at the only vertex within have an edge on the border
+  // All facets at the only inner vertex have an edge on the border.
   const Mesh roof = [] {
     Mesh mesh = pyramid(5, 1);
     for(auto g : std::vector<Mesh::Face_index>(mesh.faces().begin(), mesh.faces().end())) {
@@ -558,7 +558,7 @@ TEST_CASE("A patch of two discs is found as a whole, or not at all")
   const Mesh::Vertex_index v(0), beside = ball.source(ball.halfedge(v));
   const Truncation t = truncation_at(ball, { v, beside }, false).assembled();
   REQUIRE(t.is_valid());
-  // a corner that only facets of the second disc have
+  // The moved corner belongs only to facets of the second disc.
   Mesh mesh = ball;
   for(auto u : mesh.vertices_around_target(mesh.halfedge(beside)))
     if(u != v && !mesh.halfedge(u, v).is_valid()) {
@@ -580,7 +580,7 @@ TEST_CASE("A vertex with the same neighbors in another order, or with more facet
     return std::count(found.begin(), found.end(), Mesh::null_halfedge()) == 0;
   };
   REQUIRE(is_found(start));
-  // a pentagram around the apex, whose facets turn the same way
+  // A pentagram around the apex, whose facets have the same orientation.
   Mesh star;
   std::vector<Mesh::Vertex_index> v;
   for(auto u : start.vertices()) v.push_back(star.add_vertex(start.point(u)));
@@ -590,10 +590,10 @@ TEST_CASE("A vertex with the same neighbors in another order, or with more facet
   for(int i = 0; i < 5; ++i) star.add_face(v[0], ring[2 * i % 5], ring[2 * (i + 1) % 5]);
   CHECK(star.degree(v[0]) == 5);
   CHECK_FALSE(is_found(star));
-  // a fin: one edge is doubled, and there are two facets between both
+  // A fin: an edge is doubled, with two facets between both copies.
   Mesh fin = start;
   const auto h = fin.halfedge(Mesh::Vertex_index(0)), g = fin.opposite(h);
-  const auto n = fin.next(h), e = fin.add_edge(); // a second edge beside h, and a facet of two edges between them
+  const auto n = fin.next(h), e = fin.add_edge(); // a second edge beside h, and a facet with two edges between them
   const auto f = fin.face(h), digon = fin.add_face();
   const auto p = fin.prev(h);
   fin.set_target(e, fin.target(h));
@@ -631,7 +631,7 @@ TEST_CASE("Only triangles that triangulate a polygon cut it")
   };
   CHECK(is_cut({ { { 0, 1, 2 }, 0 }, { { 0, 2, 3 }, 1 }, { { 0, 3, 4 }, 2 } }));
   CHECK(is_cut({ { { 2, 4, 1 }, 0 }, { { 4, 0, 1 }, 1 }, { { 3, 4, 2 }, 2 } }));
-  // a triangle is missing; all face the other way; they have another point; they overlap
+  // a missing triangle; reversed triangles; a wrong point; overlapping triangles
   CHECK_FALSE(is_cut({ { { 0, 1, 2 }, 0 }, { { 0, 2, 3 }, 1 } }));
   CHECK_FALSE(is_cut({ { { 0, 2, 1 }, 0 }, { { 0, 3, 2 }, 1 }, { { 0, 4, 3 }, 2 } }));
   CHECK_FALSE(is_cut({ { { 0, 1, 2 }, 0 }, { { 0, 2, 3 }, 1 }, { { 0, 3, 5 }, 2 } }));

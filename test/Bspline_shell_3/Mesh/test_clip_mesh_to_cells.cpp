@@ -1,5 +1,5 @@
-// The mesh cut by cells, equal ones and others: what every cut must satisfy, measured exactly, and cuts whose pieces
-// can be counted.
+// The mesh is clipped to cells of equal or different sizes. General properties of the pieces are measured exactly; in
+// special cases, pieces are counted.
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include "random_hierarchies.h"
@@ -71,7 +71,7 @@ double distance(const Point& p, const Point& q)
   return norm(minus(p, q));
 }
 
-// six cuts one after the other, and three for each level below
+// Returns the number of successive cuts: six, and three for each lower level.
 template <typename Cells>
 int number_of_cuts(const Cells&)
 {
@@ -82,7 +82,7 @@ int number_of_cuts(const Hierarchy& cells)
   return 6 + 3 * (cells.number_of_levels() - 1);
 }
 
-// Each cut is off by at most ten roundings of coordinates of that size, along three axes.
+// Each cut is off by at most ten roundings of coordinates, along three axes.
 double allowance(const Triangle& t, int cuts)
 {
   double reach = 0;
@@ -101,13 +101,13 @@ struct Faults
   }
 };
 
-// the cells that a mesh enters
+// Returns the cells that a mesh enters.
 Root_cells cells_of(const BS::Input_mesh_3& input, const BS::Lattice_3& lattice)
 {
   return Root_cells(lattice, BS::cells_entered_by_mesh<Tag>(input, lattice));
 }
 
-// all that is claimed of pieces; point by point, in exact arithmetic
+// Checks all properties of pieces, point by point, in exact arithmetic.
 template <typename Cells>
 Faults faults_of(const Clipped& clipped, const std::vector<Triangle>& triangles, const Cells& cells)
 {
@@ -145,14 +145,14 @@ Faults faults_of(const Clipped& clipped, const std::vector<Triangle>& triangles,
                            < -2 * allowed * norm_n * (length + distance(next, after_next));
     }
     area[piece.facet] += clipped.area(piece);
-    // corners that are off; roundings in area() itself
+    // errors of corners, and roundings in area()
     area_error[piece.facet] += 2 * allowed * perimeter + 16 * eps * perimeter * perimeter;
   }
   for(std::size_t f = 0; f < triangles.size(); ++f) {
     const Triangle& t = triangles[f];
     const Exact_vector n = cross(minus(t[1], t[0]), minus(t[2], t[0]));
     const double expected = norm(n) / 2;
-    // the normal is that of rounded edges: on needles it is as good as their width allows
+    // The normal is computed from rounded edges. On needles, its precision is limited by their width.
     const double longest = (std::max)({ distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0]) });
     const double angle = (std::min)(1., 16 * eps * longest * longest / expected);
     double deviation = 0, length = 0;
@@ -167,7 +167,7 @@ Faults faults_of(const Clipped& clipped, const std::vector<Triangle>& triangles,
   return faults;
 }
 
-// the points of a facet's pieces that lie on the line through two of its vertices
+// Returns the points of a facet's pieces on the line through two of its vertices.
 std::set<Point> points_on_edge(const Clipped& clipped, const std::vector<const Clipped::Piece*>& pieces, const Point& a,
                                const Point& b, double allowed)
 {
@@ -208,7 +208,7 @@ void check_pieces(const BS::Input_mesh_3& input, const Cells& cells, bool with_e
   CHECK(clipped.cells() == std::vector<std::uint32_t>(entered.begin(), entered.end()));
 
   if(!with_edges) return;
-  // the two facets at an edge have the same points on it, to the last bit
+  // The two facets at an edge have exactly the same points on it.
   std::map<std::pair<Point, Point>, std::set<Point> > points_on;
   std::size_t cut_edges = 0, different = 0;
   for(std::size_t f = 0; f < triangles.size(); ++f)
@@ -245,13 +245,13 @@ void check_clip(const Mesh& mesh, double spacing, const Point_3& lattice_center 
   const BS::Lattice_3 lattice = lattice_around(input, spacing, lattice_center);
   const Root_cells cells = cells_of(input, lattice);
   check_pieces(input, cells, with_edges);
-  // all cells that the mesh enters have a piece
+  // All cells that the mesh enters have a piece.
   CHECK(BS::clip_mesh_to_cells<Tag>(input, cells).cells().size() == cells.number_of_cells());
   CHECK(BS::cells_entered_by_mesh<CGAL::Parallel_if_available_tag>(input, lattice)
         == BS::cells_entered_by_mesh<Tag>(input, lattice));
 }
 
-// leaves at random places of the mesh, refined
+// Refines leaves at random places of the mesh.
 Hierarchy refined_at_mesh(const BS::Input_mesh_3& input, const Root_cells& roots, unsigned seed, int levels)
 {
   CGAL::Random random(seed);
@@ -275,7 +275,7 @@ void check_clip_to_leaves(const Mesh& mesh, double spacing, const Point_3& latti
   const Root_cells roots(lattice, BS::dilate(BS::cells_entered_by_mesh<Tag>(input, lattice), -1, 1));
   const Hierarchy cells = refined_at_mesh(input, roots, 7, 3);
   check_pieces(input, cells, with_edges);
-  // without splits, the pieces are those of the root cells
+  // Without splits, the pieces are those of the root cells.
   const Clipped a = BS::clip_mesh_to_cells<Tag>(input, roots), b = BS::clip_mesh_to_cells<Tag>(input, Hierarchy(roots));
   REQUIRE(a.number_of_pieces() == b.number_of_pieces());
   int different = 0;
@@ -330,7 +330,8 @@ TEST_CASE("clipped mesh: pieces lie in their cells and facets, and their areas a
   {
     check_clip(sphere(1, 1, Point_3(1e6, -1e6, 12345)), 0.3, Point_3(1e6, -1e6, 12345));
   }
-  // where an edge is a bit away from a plane, its points cannot be told from others nearby: no comparison along edges
+  // If an edge is one bit away from a plane, its points cannot be distinguished from close points, so edges are not
+  // compared.
   SECTION("edges one bit beside lattice planes")
   {
     check_clip(torus(1, 0.5, 12, 8), 0.25, CGAL::ORIGIN, false);
@@ -360,7 +361,7 @@ TEST_CASE("clipped mesh: pieces lie in their cells and facets, and their areas a
 TEST_CASE(
   "cells near a mesh: all cells that samples of it are near, and none without a part of the mesh in its box, enlarged")
 {
-  for(int subdivisions : { 0, 3 }) { // of an icosahedron
+  for(int subdivisions : { 0, 3 }) { // subdivisions of an icosahedron
     const BS::Input_mesh_3 input = input_of(sphere(subdivisions));
     const BS::Lattice_3 lattice = lattice_around(input, 0.21, Point_3(0.01, 0.02, -0.03));
     const Root_cells entered = cells_of(input, lattice);
@@ -373,7 +374,7 @@ TEST_CASE(
       const std::vector<std::uint64_t>& keys = cells.near;
       CHECK(cells.entered == entered_keys);
       CHECK(BS::cells_near_mesh<CGAL::Parallel_if_available_tag>(input, lattice, distance).near == keys);
-      // by the boxes of all pieces
+      // Cells near the boxes of all pieces are expected.
       std::set<std::uint64_t> near(entered_keys.begin(), entered_keys.end());
       std::size_t missing = 0;
       for(const Clipped::Piece& piece : pieces.pieces()) {
@@ -381,7 +382,7 @@ TEST_CASE(
         for(std::uint32_t v = 0; v < piece.size; ++v) {
           const auto& p = pieces.point(piece.first + v);
           box += Point_3(p[0], p[1], p[2]).bbox();
-          // what is just near enough to a corner
+          // Cells just within the distance, towards each corner, must not be missing.
           for(int corner = 0; corner < 8; ++corner) {
             int q[3];
             for(int a = 0; a < 3; ++a)
@@ -406,7 +407,7 @@ TEST_CASE(
 
 TEST_CASE("cells near a mesh: on both sides alike, also where they are just not near")
 {
-  // a cube between planes of the lattice, whose cells are one wide
+  // The sides of a cube are between lattice planes; cells have width one.
   const BS::Input_mesh_3 input = input_of(box(Point_3(0.25, 0.25, 0.25), Point_3(1.75, 1.75, 1.75)));
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-4, -4, -4, 6, 6, 6), 1);
   REQUIRE(lattice.spacing() == 1);
@@ -427,13 +428,14 @@ TEST_CASE("clipped mesh: needles a few bits wide are not lost")
 
 TEST_CASE("clipped mesh: cuts do not overshoot an edge's ends, where these lie on a plane")
 {
-  // p + t (q - p) with t near 1 may be beyond q, and then in another cell: here if the cell has zero inside
+  // For t close to 1, p + t (q - p) may be beyond q, and thus in another cell. Here this happens in cells with zero
+  // inside.
   const BS::Lattice_3 lattice(CGAL::Bbox_3(0, 0, 0, 24.7, 24.7, 24.7), 24.7);
   CGAL::Random random(1);
   Mesh mesh;
   for(int n = 0; n < 4000; ++n) {
     std::array<Point_3, 4> v;
-    // with all 53 bits
+    // coordinates with all 53 bits
     const auto coordinate = [&] { return random.get_double(-12, 12) + random.get_double(-1e-7, 1e-7); };
     for(Point_3& p : v) p = Point_3(coordinate(), coordinate(), coordinate());
     double x[3];
@@ -468,7 +470,7 @@ TEST_CASE("clipped mesh: cuts do not overshoot an edge's ends, where these lie o
 
 TEST_CASE("clipped mesh: faults that are planted are found")
 {
-  // or else the tests above would prove nothing
+  // Without this test, the tests above would prove nothing.
   const BS::Input_mesh_3 input = input_of(sphere(0));
   const BS::Lattice_3 lattice(input.bbox(), 0.31), wrong_lattice(input.bbox(), 0.3);
   const std::vector<std::uint64_t> keys = BS::cells_entered_by_mesh<Tag>(input, lattice);
@@ -478,10 +480,10 @@ TEST_CASE("clipped mesh: faults that are planted are found")
   CHECK(faults_of(clipped, triangles, cells).sum() == 0);
   CHECK(faults_of(clipped, triangles, wrong_cells).outside_cell > 0);
   CHECK(faults_of(clipped, triangles, wrong_cells).not_cut > 0);
-  // pieces of root cells are no pieces of their leaves
+  // Pieces of root cells are not pieces of their leaves.
   const Hierarchy finer = refined_at_mesh(input, cells, 8, 2);
   CHECK(faults_of(clipped, triangles, finer).outside_cell > 0);
-  for(double& x : triangles[3][1]) x *= 1 + 1e-13; // away from the middle of the sphere
+  for(double& x : triangles[3][1]) x *= 1 + 1e-13; // away from the center of the sphere
   CHECK(faults_of(clipped, triangles, cells).off_plane > 0);
   triangles = triangles_of(input);
   std::swap(triangles[3], triangles[4]);
@@ -512,15 +514,16 @@ TEST_CASE("clipped mesh: a facet between two cells belongs to the one behind it"
       }
     }
     CHECK(wrong == 0);
-    CHECK(area == Approx(expected_area).epsilon(1e-14)); // each part once
+    CHECK(area == Approx(expected_area).epsilon(1e-14)); // each part is counted once
     return std::make_pair(clipped.number_of_pieces(), in_plane);
   };
   const BS::Input_mesh_3 input = input_of(box(Point_3(-.5, -.5, -.5), Point_3(.5, .5, .75)));
   const Root_cells roots(quarters, BS::dilate(BS::cells_entered_by_mesh<Tag>(input, quarters), -2, 2));
-  // Sides of 4 x 4 cells, the diagonal through 4 of them: 16 + 4 pieces. Of 4 x 5, through 4 + 5 - 1: 20 + 8.
+  // Sides of 4 x 4 cells have 16 + 4 pieces, as the diagonal passes through 4 cells. Sides of 4 x 5 cells have 20 + 8
+  // pieces, as it passes through 4 + 5 - 1.
   const std::size_t pieces = 2 * 20 + 4 * 28;
   CHECK(check(input, roots, 7) == std::make_pair(pieces, pieces));
-  // leaves of different sizes on both sides of a plane
+  // Leaves on both sides of a plane have different sizes.
   const Hierarchy cells = refined_at_mesh(input, roots, 9, 3);
   const auto counts = check(input, cells, 7);
   CHECK(counts.first > 2 * pieces);
@@ -536,7 +539,7 @@ TEST_CASE("clipped mesh: a facet between two cells belongs to the one behind it"
   }
   CHECK(between > 10);
 
-  // through the middles of root cells, and so between leaves where these are split
+  // The sides pass through the middles of root cells, and thus between the leaves of split cells.
   const BS::Input_mesh_3 other = input_of(box(Point_3(-.375, -.375, -.375), Point_3(.375, .375, .625)));
   const Root_cells other_roots(quarters, BS::dilate(BS::cells_entered_by_mesh<Tag>(other, quarters), -2, 2));
   CHECK(check(other, other_roots, 6 * 0.5625 + 3 * 0.25).second == 0);
@@ -557,8 +560,8 @@ TEST_CASE("clipped mesh: pieces of leaves of different size lie in them and in t
   {
     check_clip_to_leaves(sphere(1, 1, Point_3(1e5, -1e5, 12345)), 0.5, Point_3(100000.03, -99999.98, 12345.01));
   }
-  // what lies in a plane between leaves of different size is cut on one side of it, or the other: no comparison along
-  // edges
+  // A facet in a plane between leaves of different sizes is cut on one side of the plane or the other, so edges are not
+  // compared.
   SECTION("edges one bit beside lattice planes")
   {
     check_clip_to_leaves(torus(1, 0.5, 12, 8), 0.5, CGAL::ORIGIN, false);
@@ -593,7 +596,7 @@ TEST_CASE("clipped mesh: where leaves of one size are all there are, they are ce
   const Clipped a = BS::clip_mesh_to_cells<Tag>(input, cells),
                 b = BS::clip_mesh_to_cells<Tag>(input, cells_of(input, fine));
   REQUIRE(a.number_of_pieces() == b.number_of_pieces());
-  // the same leaves, by their corners, with the same facets and areas
+  // Compare leaves with the same corner: they must have the same facets and areas.
   typedef std::pair<std::array<double, 3>, std::uint32_t> Key;
   std::map<Key, double> areas;
   const Root_cells fine_cells = cells_of(input, fine);
@@ -608,7 +611,8 @@ TEST_CASE("clipped mesh: where leaves of one size are all there are, they are ce
 
 TEST_CASE("clipped mesh: cells that are only touched get no piece")
 {
-  // x + y + z = 1 is cut by the planes of multiples of 1/4 into 16 triangles, all with corners at lattice points
+  // The planes at multiples of 1/4 divide the facet in x + y + z = 1 into 16 triangles, all with corners at lattice
+  // points.
   const BS::Input_mesh_3 input = input_of(octahedron(1));
   const Clipped clipped = BS::clip_mesh_to_cells<Tag>(input, cells_of(input, quarters));
   CHECK(clipped.number_of_pieces() == 8 * 16);
@@ -620,7 +624,7 @@ TEST_CASE("clipped mesh: cells that are only touched get no piece")
 
 TEST_CASE("clipped mesh: the same with any number of threads")
 {
-  const BS::Input_mesh_3 input = input_of(sphere(3)); // several chunks of facets
+  const BS::Input_mesh_3 input = input_of(sphere(3)); // enough for several chunks of facets
   const auto check = [&](const auto& cells) {
     const Clipped a = BS::clip_mesh_to_cells<Tag>(input, cells);
     const Clipped b = BS::clip_mesh_to_cells<CGAL::Parallel_if_available_tag>(input, cells);
@@ -641,8 +645,9 @@ TEST_CASE("clipped mesh: the same with any number of threads")
 
 TEST_CASE("clipped mesh: the number of pieces is foretold to within a factor of two")
 {
-  // On average over positions, a facet in a plane of unit normal n has 1 + (sum of its widths) + |n|_1 area pieces, in
-  // cell units; the widths sum to at least half the perimeter, which stands for them, and at most to sqrt(3)/2 of it.
+  // For random positions, the expected number of pieces of a facet with unit normal n is 1 + (sum of its widths) +
+  // |n|_1 area, in cell units. The sum of the widths is estimated by half the perimeter, its lower bound; its upper
+  // bound is sqrt(3)/2 of the perimeter.
   const BS::Input_mesh_3 input = input_of(sphere(2));
   for(double spacing : { 0.03, 0.1, 0.3, 1. }) {
     const BS::Lattice_3 lattice(CGAL::Bbox_3(-1.003, -1.013, -1.027, 1, 1, 1), spacing);

@@ -1,5 +1,5 @@
-// Whether a border vertex can be closed is decided exactly: against known fans, and against many directions that are
-// tried.
+// The exact decision whether a border vertex can be closed is compared with known fans, and with trials of many
+// directions.
 #include <CGAL/Bspline_shell_3/Closing/close_virtually.h>
 #include <CGAL/Bspline_shell_3/Mesh/closable_fan.h>
 #include "test_meshes.h"
@@ -16,7 +16,7 @@ namespace {
 namespace BS = CGAL::Bspline_shells;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3 Vector_3;
 
-// directions around the z-axis, at heights that rise from `low` to `high`
+// Returns points around the z-axis, at heights that rise from `low` to `high`.
 std::vector<Point_3> spiral(double turns, double low, double high, int steps, const Point_3& p = CGAL::ORIGIN)
 {
   std::vector<Point_3> link;
@@ -32,7 +32,7 @@ double determinant(const Vector_3& a, const Vector_3& b, const Vector_3& c)
   return CGAL::determinant(a, b, c);
 }
 
-// the turn of a fan about g, or a negative number if a facet does not face it, or only just
+// Returns the turn of a fan about g, or a negative number if a facet faces away from g, or nearly so.
 double turn(const std::vector<Point_3>& link, const Vector_3& g)
 {
   double sum = 0;
@@ -53,7 +53,7 @@ TEST_CASE("Fans: flat ones up to a full turn can be closed")
   for(double turns : { 0.1, 0.49, 0.5, 0.51, 0.75, 0.99 })
     CHECK(BS::is_fan_closable(CGAL::ORIGIN, spiral(turns, 0, 0, 12)));
   CHECK(BS::is_fan_closable(Point_3(3, -2, 7), spiral(0.9, 0.2, 0.4, 12, Point_3(3, -2, 7))));
-  // the last edge on the first one
+  // The last edge coincides with the first one.
   CHECK_FALSE(
     BS::is_fan_closable(CGAL::ORIGIN, { Point_3(1, 0, 0), Point_3(-1, 1, 0), Point_3(-1, -1, 0), Point_3(2, 0, 0) }));
   // exactly half a turn
@@ -65,7 +65,7 @@ TEST_CASE("Fans: a ramp that spirals by more than a turn faces one way, and cann
   CHECK_FALSE(BS::is_fan_closable(CGAL::ORIGIN, spiral(1.75, 0, 0.3, 24)));
   CHECK_FALSE(BS::is_fan_closable(CGAL::ORIGIN, spiral(2.6, 0, 0.3, 36)));
   CHECK(BS::is_fan_closable(CGAL::ORIGIN, spiral(0.95, 0, 0.3, 24)));
-  // about an axis that is tilted far enough, this one turns by 0.997 of a full turn
+  // About an axis that is tilted far enough, this fan makes 0.997 of a full turn.
   CHECK(BS::is_fan_closable(CGAL::ORIGIN, spiral(1.25, 0, 0.3, 24)));
 }
 
@@ -94,7 +94,8 @@ TEST_CASE("Fans: the answer is that of many directions, whatever the fan")
       CHECK(is_closable);
       ++closable;
     }
-    // where one direction in 20000 is faced, one that closes the fan would have been found, unless it is that rare
+    // If a sampled direction is faced by all facets, a direction that closes the fan would have been found, unless such
+    // directions are rare.
     else if(is_faced && !is_closable)
       ++others;
     else if(is_faced) WARN("a fan can be closed about few directions only");

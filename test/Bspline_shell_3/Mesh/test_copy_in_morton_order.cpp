@@ -1,5 +1,4 @@
-// copy_in_morton_order.h: nothing of a mesh changes but the numbers of its elements, which do not depend on those of
-// the mesh.
+// copy_in_morton_order.h: only the numbers of a mesh's elements change. The new numbers do not depend on the old ones.
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Mesh/copy_in_morton_order.h>
@@ -25,7 +24,7 @@ namespace {
 
 namespace BSI = CGAL::Bspline_shells::internal;
 typedef std::array<double, 3> Coordinates;
-typedef std::vector<std::size_t> Polygon; // of positions, the lowest one first
+typedef std::vector<std::size_t> Polygon; // positions, the lowest one first
 
 Coordinates coordinates(const Point_3& p)
 {
@@ -48,7 +47,7 @@ std::pair<Mesh, BSI::Positions_of_origin> copied(const M& mesh)
   return { copy, origin };
 }
 
-// all facets, as the numbers of their vertices
+// Returns all facets, as the numbers of their vertices.
 template <typename M, typename Number>
 std::vector<Polygon> polygons(const M& mesh, const Number& number)
 {
@@ -85,12 +84,12 @@ void check_same(const M& mesh, std::size_t number_of_vertices, std::size_t numbe
   REQUIRE(found.size() == expected.size());
   for(std::size_t n = 0; n < found.size(); ++n) CHECK(found[n] == expected[origin.faces[n]]);
   CHECK(copy.number_of_edges() == number_of_edges);
-  // each vertex on a border has a halfedge on it
+  // Each border vertex refers to a halfedge on the border.
   for(auto h : copy.halfedges())
     if(copy.is_border(h)) CHECK(copy.is_border(copy.halfedge(copy.target(h))));
 }
 
-// the same mesh, its vertices and facets in another order, its facets from other corners on
+// Returns the same mesh with its vertices and facets in another order. Facets begin at other corners.
 Mesh shuffled(const Mesh& mesh, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -135,7 +134,7 @@ TEST_CASE("A copy in Morton's order has nothing of what was removed, no isolated
   const auto far = mesh.add_vertex(Point_3(1e9, 0, 0));
   check_same(mesh, vertices, mesh.number_of_edges());
 
-  // an edge into the hole, back and forth
+  // An edge leads into the hole and back.
   const std::size_t before = mesh.number_of_edges();
   const auto h = *std::find_if(mesh.halfedges().begin(), mesh.halfedges().end(),
                                [&](auto x) { return mesh.is_border(x); });
@@ -205,7 +204,7 @@ TEST_CASE(
     way += std::sqrt(CGAL::squared_distance(before, copy.point(copy.source(h))));
     before = copy.point(copy.source(h));
   }
-  // a facet's side is 0.07; two points of the sphere are 4/3 apart, in the mean
+  // Sides of facets are 0.07 long; two random points of the sphere are 4/3 apart on average.
   CHECK(way < 0.1 * double(copy.number_of_faces()));
 }
 
@@ -218,7 +217,7 @@ TEST_CASE("A mesh whose copy has more elements than 32 bits can number is recogn
   CHECK_FALSE(size(2 * half - 1, 0).has_numbers());
   CHECK_FALSE(size(0, half).has_numbers());
   CHECK_FALSE(size(16 * half, 3).has_numbers());
-  // a polygon of n corners gets n - 3 edges within
+  // A polygon with n corners gets n - 3 inner edges.
   const auto check = [](const Mesh& mesh, std::size_t edges) {
     CHECK(BSI::triangulated_size(mesh).vertices == mesh.number_of_vertices());
     CHECK(BSI::triangulated_size(mesh).edges == edges);

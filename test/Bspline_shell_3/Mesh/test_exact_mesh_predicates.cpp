@@ -1,5 +1,5 @@
 // fan_winding.h, Crossing_counter_3.h, vertex_cone.h (margins), arithmetic_self_test.h: exact counts with known
-// answers.
+// results.
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Mesh/Crossing_counter_3.h>
@@ -22,7 +22,7 @@ namespace {
 
 namespace BS = CGAL::Bspline_shells;
 
-// a double pyramid over a polygon whose corners are visited every `step`-th
+// Returns a double pyramid over a polygon in which every `step`-th corner follows.
 Mesh bipyramid(int corners, int step, double height = 1)
 {
   Mesh mesh;
@@ -45,19 +45,19 @@ TEST_CASE("Fan winding: as often as the link goes round")
 {
   for(int corners : { 3, 4, 5, 7, 12 })
     for(int step = 1; 2 * step < corners; ++step) {
-      if(corners == 12 && step != 1 && step != 5) continue; // otherwise the polygon closes early
+      if(corners == 12 && step != 1 && step != 5) continue; // otherwise the polygon would close too early
       CAPTURE(corners, step);
       const Mesh mesh = bipyramid(corners, step);
       CHECK(BS::fan_winding_number(mesh, Mesh::Vertex_index(0), Point_3(0, 0, 2)) == std::size_t(step));
       CHECK(BS::fan_winding_number(mesh, Mesh::Vertex_index(1), Point_3(0, 0, -2)) == std::size_t(step));
-      // the facets face the other way
+      // The facets face the other way.
       CHECK(BS::fan_winding_number(mesh, Mesh::Vertex_index(0), Point_3(0, 0, -2)) == 0);
     }
-  // a facet whose plane contains the axis does not face it
+  // A facet whose plane contains the axis does not face it.
   const std::vector<Point_3> link = { Point_3(0, -1, -1), Point_3(0, 1, -1), Point_3(-1, 0, -1) };
   CHECK(BS::link_winding_number(Point_3(0, 0, 0), Point_3(0, 0, 1), link) == 0);
   CHECK(BS::link_winding_number(Point_3(0, 0, 0), Point_3(0.1, 0, 1), link) == 1);
-  // at every vertex of ordinary meshes, whatever halfedge the walk begins with
+  // Fans of ordinary meshes wind once, from any initial halfedge.
   Mesh mesh = torus(3, 1, 9, 7);
   for(auto v : mesh.vertices()) {
     const auto g = BS::vertex_cone(mesh, v);
@@ -87,21 +87,21 @@ TEST_CASE("Embedded fans: they wind once around the mean of the normals that all
       };
       CHECK(are_tips_embedded(scaled(bipyramid(3, 1, height))));
       CHECK(are_tips_embedded(scaled(bipyramid(12, 1, height))));
-      CHECK_FALSE(are_tips_embedded(scaled(bipyramid(5, 2, height))));  // twice
-      CHECK_FALSE(are_tips_embedded(scaled(bipyramid(12, 5, height)))); // five times
+      CHECK_FALSE(are_tips_embedded(scaled(bipyramid(5, 2, height))));  // winds twice
+      CHECK_FALSE(are_tips_embedded(scaled(bipyramid(12, 5, height)))); // winds five times
     }
-  // a corner of the link on the other side of the tip, and of other edges
+  // A corner of the link is on the other side of the tip, and of other edges.
   Mesh folded = bipyramid(6, 1);
   folded.point(Mesh::Vertex_index(2)) = Point_3(-1.5, 0, 0);
   CHECK_FALSE(are_tips_embedded(folded));
-  // normals that cancel
+  // The normals cancel.
   Mesh flat;
   const auto a = flat.add_vertex(Point_3(0, 0, 0)), b = flat.add_vertex(Point_3(1, 0, 0)),
              c = flat.add_vertex(Point_3(0, 1, 0));
   flat.add_face(a, b, c);
   flat.add_face(a, c, b);
   CHECK_FALSE(are_tips_embedded(flat));
-  // every vertex of ordinary meshes, but not those on a border, without facets, or removed
+  // All fans of ordinary meshes are embedded, except at vertices that are on a border, without facets, or removed.
   const Mesh ring = torus(3, 1, 9, 7);
   CHECK(BS::embedded_fans<CGAL::Sequential_tag>(ring) == std::vector<char>(ring.num_vertices(), 1));
   Mesh open = ring;
@@ -115,7 +115,7 @@ TEST_CASE("Embedded fans: they wind once around the mean of the normals that all
 
 TEST_CASE("Cones: none where two facets face opposite ways, however a direction between them is rounded")
 {
-  // wide enough for rounding in each product of two coordinates, and none in differences
+  // Coordinates are so large that products of two are rounded, but differences are not.
   CGAL::Random random(5);
   const auto wide = [&] { return std::floor(random.get_double(-1, 1) * 0x1p40); };
   for(int n = 0; n < 1000; ++n) {
@@ -133,7 +133,7 @@ TEST_CASE("Cones: none where two facets face opposite ways, however a direction 
     fan.wings.erase(fan.wings.begin());
     CHECK(BS::internal::cone_direction(fan));
   }
-  // and where the mean of the normals is in the planes of both
+  // Here, the mean of the normals is in the planes of both facets.
   const Point_3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
   BS::internal::Vertex_fan upright;
   upright.apex = Point_3(0, 0, 0);
@@ -151,7 +151,7 @@ TEST_CASE("Cone margin: of a pyramid it is the cosine of its slope")
       CHECK(BS::vertex_cone_margin(mesh, Mesh::Vertex_index(0))
             == Approx(apothem == 0 ? 0 : height / std::hypot(height, apothem) * apothem / height).epsilon(1e-9));
     }
-  // in a plane it is one, at the corner of a cube 1 / sqrt(3)
+  // In a plane, the margin is one; at the corner of a cube, it is 1 / sqrt(3).
   const Mesh cube = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   for(auto v : cube.vertices()) CHECK(BS::vertex_cone_margin(cube, v) == Approx(1 / std::sqrt(3.)));
 }
@@ -199,11 +199,11 @@ TEST_CASE("Crossings: signed, exact, and none where the segment touches an edge,
 
   const Mesh cube = box(Point_3(-1, -1, -1), Point_3(1, 1, 1));
   const BS::Crossing_counter_3 of_cube(cube);
-  CHECK_FALSE(of_cube.crossings(Point_3(0, 0, 0), Point_3(2, 2, 0)));         // an edge
-  CHECK_FALSE(of_cube.crossings(Point_3(0, 0, 0), Point_3(2, 2, 2)));         // a vertex
+  CHECK_FALSE(of_cube.crossings(Point_3(0, 0, 0), Point_3(2, 2, 0)));         // through an edge
+  CHECK_FALSE(of_cube.crossings(Point_3(0, 0, 0), Point_3(2, 2, 2)));         // through a vertex
   CHECK_FALSE(of_cube.crossings(Point_3(0.1, 0.2, 0), Point_3(0.1, 0.2, 1))); // ends on a facet
-  CHECK_FALSE(of_cube.crossings(Point_3(-2, 0.25, 1), Point_3(2, 0.5, 1)));   // lies in one
-  CHECK_FALSE(of_cube.crossings(Point_3(0.5, 1, 3), Point_3(0.5, 1, 0.5)));   // runs along a side
+  CHECK_FALSE(of_cube.crossings(Point_3(-2, 0.25, 1), Point_3(2, 0.5, 1)));   // in the plane of a facet
+  CHECK_FALSE(of_cube.crossings(Point_3(0.5, 1, 3), Point_3(0.5, 1, 0.5)));   // along a side
   REQUIRE(of_cube.crossings(Point_3(0.1, 0.2, 0), Point_3(0.1, 0.2, 1 + 1e-15)));
   CHECK(of_cube.crossings(Point_3(0.1, 0.2, 0), Point_3(0.1, 0.2, 1 + 1e-15))->size() == 1);
   CHECK(of_cube.crossings(Point_3(0.1, 0.2, 0), Point_3(0.1, 0.2, std::nextafter(1., 0.)))->empty());
@@ -212,7 +212,7 @@ TEST_CASE("Crossings: signed, exact, and none where the segment touches an edge,
 TEST_CASE("Crossings: the first segments, which are compared with all facets, and later ones, for which there is a "
           "tree, cross the same facets")
 {
-  Mesh mesh = sphere(5); // of more facets than one thread compares at once
+  Mesh mesh = sphere(5); // more facets than a thread compares at once
   CGAL::copy_face_graph(sphere(1, 0.5), mesh);
   mesh.add_face(mesh.add_vertex(Point_3(-2, -2, 0.02)), mesh.add_vertex(Point_3(4, -2, 0.03)),
                 mesh.add_vertex(Point_3(-2, 4, 0.04)));
@@ -258,7 +258,7 @@ TEST_CASE("Crossings: an edge or a vertex is touched, whichever of a facet's cor
     const BS::Crossing_counter_3 counter(cube);
     for(double x : { -1., 1. })
       for(double y : { -1., 1. }) {
-        CHECK_FALSE(counter.crossings(Point_3(0, 0, 0), Point_3(2 * x, 2 * y, 0.5))); // an edge along z
+        CHECK_FALSE(counter.crossings(Point_3(0, 0, 0), Point_3(2 * x, 2 * y, 0.5))); // through an edge along z
         CHECK_FALSE(counter.crossings(Point_3(0, 0, 0), Point_3(2 * x, 0.5, 2 * y)));
         CHECK_FALSE(counter.crossings(Point_3(0, 0, 0), Point_3(0.5, 2 * x, 2 * y)));
         for(double z : { -1., 1. }) CHECK_FALSE(counter.crossings(Point_3(0, 0, 0), Point_3(2 * x, 2 * y, 2 * z)));
@@ -267,7 +267,7 @@ TEST_CASE("Crossings: an edge or a vertex is touched, whichever of a facet's cor
     CHECK_FALSE(counter.crossings(Point_3(0.1, 0.2, 1), Point_3(0.1, 0.2, 2)));
     CHECK_FALSE(counter.crossings(Point_3(0.1, 0.2, 2), Point_3(0.1, 0.2, 1)));
   }
-  // one end at a vertex at which each facet has another of its corners first
+  // One end is beyond a vertex that is never the first corner of a facet; another corner is first.
   for(int corner = 0; corner < 3; ++corner) {
     Mesh pyramid = bipyramid(5, 1);
     for(auto f : pyramid.faces())

@@ -1,4 +1,4 @@
-// facet_normal.h: the exact normal, times a positive factor, is within the radius of the direction.
+// facet_normal.h: the exact normal, times a positive factor, is within the radius around the direction.
 #include "exact_spline.h"
 
 #include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
@@ -29,7 +29,7 @@ Exact_point exact_normal(const Point_3& p, const Point_3& q, const Point_3& r)
   return { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
 }
 
-// whether there is a factor for which all components are within the radius
+// Returns whether there is a factor for which all components are within the radius.
 bool encloses(const BS::Facet_normal& found, const Exact_point& n)
 {
   Rational least(0), most(-1);
@@ -60,7 +60,7 @@ void check(const Point_3& p, const Point_3& q, const Point_3& r)
 
 Vector_3 random_vector(CGAL::Random& random)
 {
-  // one has 32 bits
+  // One random number has only 32 bits.
   const auto number = [&] { return random.get_double(-1, 1) + std::ldexp(random.get_double(-1, 1), -31); };
   return Vector_3(number(), number(), number());
 }
@@ -73,7 +73,7 @@ TEST_CASE("Facet normals: the exact one is enclosed, of facets of all shapes and
   for(int n = 0; n < 4000; ++n) {
     const double far = n % 4 == 0 ? std::ldexp(1., n / 4 % 30) : 0;
     const Point_3 p = CGAL::ORIGIN + far * random_vector(random), q = p + random_vector(random);
-    // from equilateral ones to needles that rounding can hardly tell from segments
+    // The shapes range from equilateral triangles to needles that are almost degenerate after rounding.
     const Point_3 r = p + random.get_double(-1, 1) * (q - p) + std::ldexp(1., -(n % 60)) * random_vector(random);
     check(p, q, r);
   }

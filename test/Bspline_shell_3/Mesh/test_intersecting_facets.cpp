@@ -1,4 +1,4 @@
-// intersecting_facets.h: the pairs that CGAL's test of all pairs finds, whatever the cells of the grid, with any number
+// intersecting_facets.h: the pairs are those of CGAL's test of all pairs, for any cell size of the grid and any number
 // of threads.
 #include "test_meshes.h"
 
@@ -67,7 +67,7 @@ void check(const Mesh& mesh, bool has_grid = true)
 {
   const Pairs reference = of_all_pairs(mesh);
   for(std::size_t size : { 1, 60, 150 }) {
-    REQUIRE(mesh.number_of_faces() >= 16 * size); // a grid is tried
+    REQUIRE(mesh.number_of_faces() >= 16 * size); // enough facets for a grid
     CAPTURE(size);
     CHECK(found<CGAL::Sequential_tag>(mesh, unlimited, size) == reference);
     CHECK(found<CGAL::Parallel_if_available_tag>(mesh, unlimited, size) == reference);
@@ -103,7 +103,7 @@ TEST_CASE("Intersecting facets: a single facet through the surface is found wher
   const Mesh ball = sphere(4);
   const double edge = 0.1;
   for(int n = 0; n < 50; ++n) {
-    // a facet through the surface
+    // The facet crosses the surface.
     Mesh mesh = ball;
     const auto p = mesh.point(Mesh::Vertex_index(unsigned(random.get_int(0, int(mesh.number_of_vertices())))));
     const Kernel::Vector_3 out = p - CGAL::ORIGIN,
@@ -120,7 +120,7 @@ TEST_CASE("Intersecting facets: a single facet through the surface is found wher
 TEST_CASE("Intersecting facets: those with a common vertex, where its fan folds, winds twice, or is embedded")
 {
   const Mesh ball = sphere(4);
-  // the neighbors of a vertex that is pulled over them, or down
+  // A vertex is moved over its neighbors, or downwards.
   for(const Kernel::Vector_3& to :
       { Kernel::Vector_3(0.3, 0.2, 0.1), Kernel::Vector_3(0.1, -0.1, 0.4), Kernel::Vector_3(0, 0, -1) })
     for(unsigned int v : { 0u, 50u, 1000u }) {
@@ -128,7 +128,7 @@ TEST_CASE("Intersecting facets: those with a common vertex, where its fan folds,
       folded.point(Mesh::Vertex_index(v)) = folded.point(Mesh::Vertex_index(v)) + to;
       check(folded);
     }
-  // all facets face the axis, and only common vertices tell that they intersect
+  // All facets face the axis. Intersections are found only at common vertices.
   Mesh star;
   const int corners = 5;
   const auto north = star.add_vertex(Point_3(0, 0, 1.5)), south = star.add_vertex(Point_3(0, 0, -1.5));
@@ -142,7 +142,7 @@ TEST_CASE("Intersecting facets: those with a common vertex, where its fan folds,
   }
   CHECK_FALSE(of_all_pairs(star).empty());
   check(together(ball, star));
-  // noise, from what leaves most fans embedded to what leaves hardly any
+  // Noise ranges from levels that leave most fans embedded to levels that leave almost none.
   CGAL::Random random(2);
   for(double noise : { 0.01, 0.03, 0.1 }) {
     Mesh mesh = ball;
@@ -162,7 +162,7 @@ TEST_CASE("Intersecting facets: facets of all sizes, also larger than many cells
   for(auto v : flat.vertices()) flat.point(v) = Point_3(flat.point(v).x(), flat.point(v).y(), 0.01 * flat.point(v).z());
   check(flat);
   check(together(flat, moved(flat, Kernel::Vector_3(0, 0, 0.005))));
-  // needles through everything: there would be too many copies of them
+  // Needles cross the whole grid, which would need too many copies of them.
   Mesh needles = ball;
   for(int n = 0; n < 2000; ++n) {
     const double x = -1 + n / 1000.;
@@ -183,12 +183,12 @@ TEST_CASE("Intersecting facets: so many pairs as are asked for, the same with an
   CHECK(some.size() == 50);
   CHECK(std::includes(all.begin(), all.end(), some.begin(), some.end()));
   CHECK(found<CGAL::Parallel_if_available_tag>(both, 50, 150) == some);
-  // without a grid
+  // There is no grid.
   for(int n = 0; n < 10; ++n)
     CHECK(found<CGAL::Parallel_if_available_tag>(both, 50, 100000) == found<CGAL::Sequential_tag>(both, 50, 100000));
-  // nearly all of the mesh in one cell
+  // Most of the mesh is in one cell.
   check(together(moved(both, Kernel::Vector_3(0.5, 0.5, 0.5), 0.01), sphere(3)), false);
-  // differences of coordinates, or their reciprocals, overflow
+  // Differences of coordinates, or their reciprocals, overflow.
   for(double size : { 5e-324, 1.7e308 }) {
     Mesh extreme = ball;
     for(auto v : extreme.vertices())

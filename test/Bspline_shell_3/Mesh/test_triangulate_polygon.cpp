@@ -1,5 +1,5 @@
-// Polygons are triangulated with their own vertices: as many triangles as there must be, all turned as the polygon,
-// with its area.
+// Polygons are triangulated without new vertices. The number of triangles is minimal; they have the orientation and the
+// area of the polygon.
 #include <CGAL/Bspline_shell_3/Mesh/triangulate_polygon.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -27,7 +27,7 @@ typedef Kernel::Point_2 Point_2;
 typedef Kernel::Point_3 Point_3;
 typedef std::vector<std::array<std::size_t, 3> > Triangles;
 
-// the polygon in a plane across an axis, as it is seen against the axis
+// Returns the polygon in a plane orthogonal to an axis, as seen against the axis.
 std::vector<Point_3> across(int axis, const std::vector<Point_2>& polygon)
 {
   std::vector<Point_3> points;
@@ -53,8 +53,7 @@ Exact_kernel::FT doubled_area(const std::vector<Point_2>& polygon)
   return sum;
 }
 
-// Positive triangles that sum up to the area, of which each edge that is none of the polygon's is in two: a
-// triangulation.
+// Checks a triangulation: triangles are positive and sum to the area, and each inner edge is in two triangles.
 void check_triangulation(const std::vector<Point_2>& polygon)
 {
   const CGAL::Sign sign = CGAL::sign(doubled_area(polygon));
@@ -75,7 +74,7 @@ void check_triangulation(const std::vector<Point_2>& polygon)
       CHECK(edges.count(e) == 1);
       CHECK(edges.count({ e.second, e.first }) + (e.second == (e.first + 1) % polygon.size()) == 1);
     }
-    // vertices that were cut off do not come back
+    // Vertices that were cut off do not occur again.
     std::set<std::size_t> cut;
     for(const auto& t : triangles) {
       for(std::size_t i : t) CHECK(cut.count(i) == 0);
@@ -94,7 +93,7 @@ TEST_CASE("Polygons: convex and non-convex ones, turned either way, are triangul
     { { 0, 0 }, { 4, 0 }, { 1, 1 }, { 0, 4 } },                                         // an arrow
     { { 0, 0 }, { 3, 0 }, { 3, 3 }, { 2, 3 }, { 2, 1 }, { 1, 1 }, { 1, 3 }, { 0, 3 } }, // a U
     { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 3, 0 }, { 3, 1 }, { 0, 1 } },                     // straight corners
-    { { 0, 0 }, { 2, 0 }, { 1, 1 }, { 0, 2 } },                                         // a triangle, but for one
+    { { 0, 0 }, { 2, 0 }, { 1, 1 }, { 0, 2 } },                                         // one straight corner
     { { 0, 0 },
       { 8, 0 },
       { 8, 8 },
@@ -146,7 +145,7 @@ TEST_CASE("Polygons: star-shaped ones with many spikes, and with corners that ar
 
 TEST_CASE("Polygons: the better diagonal of a quadrangle is taken")
 {
-  // a kite: along its axis the triangles would be needles
+  // Along the axis of this kite, the triangles would be needles.
   const Triangles triangles = BS::triangulate_polygon({ { 0, 0, 0 }, { 1, -0.1, 0 }, { 2, 0, 0 }, { 1, 0.1, 0 } });
   REQUIRE(triangles.size() == 2);
   for(const auto& t : triangles) {
@@ -160,7 +159,7 @@ TEST_CASE("Polygons: those that cannot be triangulated come back as triangles al
   const std::vector<std::vector<Point_3> > polygons = {
     { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } }, // no area
     { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } }, // a point
-    { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, // crosses itself
+    { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, // intersects itself
     { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 0 }, { -1, -1, 0 } }
   };
   for(const auto& polygon : polygons) CHECK(BS::triangulate_polygon(polygon).size() == polygon.size() - 2);

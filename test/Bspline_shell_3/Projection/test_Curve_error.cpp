@@ -1,4 +1,5 @@
-// Curve_error.h: errors grow as curves diverge, by closed forms, and a tolerance is kept or not at all.
+// Curve_error.h: errors grow as curves diverge, according to closed forms. The tolerance is met, or the status is a
+// failure.
 #include "polynomial_fields.h"
 
 #include <CGAL/Bspline_shell_3/Projection/internal/Curve_error.h>
@@ -24,7 +25,7 @@ Divergence divergence(const Uniform_field& field, const Vector& x)
   return BS::internal::divergence(field.cell(field.locate(p)), p);
 }
 
-// the estimate along a curve, where steps have this error each
+// Returns the estimate along a curve, where each step has the given error.
 Curve_error along(const Uniform_field& field, const std::vector<Vector>& curve, const std::vector<double>& values,
                   double error)
 {
@@ -38,13 +39,13 @@ Curve_error along(const Uniform_field& field, const std::vector<Vector>& curve, 
 
 TEST_CASE("Curve error: the divergence has the eigenvalues of the Hessian across the gradient")
 {
-  // f = x + (y^2 + 3 z^2 + 4 y z) / 2 on the x axis; and turned so that no axis is special
+  // f = x + (y^2 + 3 z^2 + 4 y z) / 2 on the x axis
   const Uniform_field flat = uniform_field(
     { { 1, { 1, 0, 0 } }, { 0.5, { 0, 2, 0 } }, { 1.5, { 0, 0, 2 } }, { 2, { 0, 1, 1 } } });
   const Divergence d = divergence(flat, Vector(0.3, 0, 0));
   CHECK(d.most == Approx(2 + std::sqrt(5.)));
   CHECK(d.least == Approx(2 - std::sqrt(5.)));
-  // f = |x|^2: H = 2, |g|^2 = 4 |x|^2
+  // f = |x|^2, where H = 2 and |g|^2 = 4 |x|^2
   const Uniform_field spheres = uniform_field({ { 1, { 2, 0, 0 } }, { 1, { 0, 2, 0 } }, { 1, { 0, 0, 2 } } });
   for(const Vector& x : { Vector(0.3, -0.2, 0.6), Vector(0, 0, 0.5), Vector(-0.7, 0.1, 0.1) }) {
     CHECK(divergence(spheres, x).most == Approx(1 / (2 * x.squaredNorm())));
@@ -107,7 +108,7 @@ TEST_CASE(
   CHECK(keep(1, 1, 0, 2e-9) == Flow_status::SUCCESS);
   CHECK(result.error.at_start == 2e-9);
   CHECK(keep(std::nan(""), 0, 0, 0) == Flow_status::TOO_MANY_STEPS);
-  // A curve that cannot be traced in shorter steps keeps its result.
+  // If a curve cannot be traced in shorter steps, its result is kept.
   int calls = 0;
   const auto fail_later = [&](double, Result& result) {
     result.error = { 0, 2e-9 };

@@ -1,5 +1,5 @@
-// Gradient_flow_3.h, Integral_curve.h: points arrive where closed forms of integral curves say, within the tolerance,
-// or not at all.
+// Gradient_flow_3.h, Integral_curve.h: points arrive where the closed forms of integral curves end, up to the
+// tolerance, or the status is a failure.
 #include "polynomial_fields.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Gradient_flow_3.h>
@@ -39,8 +39,8 @@ Vector random_vector(CGAL::Random& random, double size)
   return { random.get_double(-size, size), random.get_double(-size, size), random.get_double(-size, size) };
 }
 
-// A polynomial, where its integral curves are at a level, and how that depends on the start if the difference of the
-// levels is kept.
+// A polynomial, the point of an integral curve at a level, and the derivative of that point with respect to the start.
+// The derivative keeps the difference of the levels constant.
 struct Example
 {
   std::string name;
@@ -76,7 +76,7 @@ Example spheres()
            } };
 }
 
-// f = x y, the half of the imaginary part of (x + iy)^2, whose real part the curves keep
+// f = x y, half the imaginary part of (x + iy)^2. The real part is constant on the curves.
 Example hyperbolas()
 {
   return { "hyperbolas",
@@ -88,7 +88,7 @@ Example hyperbolas()
              if(z.real() * x[0] + z.imag() * x[1] < 0) z = -z;
              return Vector(z.real(), z.imag(), x[2]);
            },
-           // z^2 moves by a constant: of Z = sqrt(z^2 + c) the derivative is z / Z
+           // z^2 moves by a constant c. The derivative of Z = sqrt(z^2 + c) is z / Z.
            [](const Vector& x, double level) {
              const std::complex<double> z(x[0], x[1]),
                d = z / std::sqrt(z * z + std::complex<double>(0, 2 * (level - x[0] * x[1])));
@@ -99,11 +99,11 @@ Example hyperbolas()
            } };
 }
 
-// f = x^2 - y^2 + z: with the time t of the gradient flow, (x, y, z) moves to (x e^2t, y e^-2t, z + t)
+// f = x^2 - y^2 + z. In time t, the gradient flow moves (x, y, z) to (x e^2t, y e^-2t, z + t).
 double time(const Vector& x, double level)
 {
   double t = 0;
-  for(int i = 0; i < 100; ++i) { // f grows and is nearly convex in t: Newton's method
+  for(int i = 0; i < 100; ++i) { // Newton's method: f increases with t, and is nearly convex
     const double a = x[0] * x[0] * std::exp(4 * t), b = x[1] * x[1] * std::exp(-4 * t);
     t -= (a - b + x[2] + t - level) / (4 * a + 4 * b + 1);
   }
@@ -120,7 +120,8 @@ Example exponentials()
              const double t = time(x, level);
              return Vector(x[0] * std::exp(2 * t), x[1] * std::exp(-2 * t), x[2] + t);
            },
-           // by the time, plus the gradient there times how the time depends on the start: so that G . D = g
+           // The derivative at constant time, plus a multiple of the gradient G at the end: the change of time
+           // satisfies G . D = g.
            [](const Vector& x, double level) {
              const double t = time(x, level);
              const Vector g(2 * x[0], -2 * x[1], 1), G(2 * x[0] * std::exp(2 * t), -2 * x[1] * std::exp(-2 * t), 1);
@@ -129,7 +130,7 @@ Example exponentials()
            } };
 }
 
-// f = x^3 / 3 - x y^2, a third of the real part of (x + iy)^3, whose imaginary part the curves keep
+// f = x^3 / 3 - x y^2, a third of the real part of (x + iy)^3. The imaginary part is constant on the curves.
 Example cubics()
 {
   return { "cubics",
@@ -138,7 +139,7 @@ Example cubics()
            [](const Vector& x) { return Vector(x[0] * x[0] - x[1] * x[1], -2 * x[0] * x[1], 0); },
            [](const Vector& x, double level) {
              const std::complex<double> z(x[0], x[1]), cube = z * z * z;
-             // relative to the start, so that the root is on its branch
+             // Relative to the start, the root is on the correct branch.
              const std::complex<double> Z = z * std::pow(std::complex<double>(3 * level, cube.imag()) / cube, 1 / 3.);
              return Vector(Z.real(), Z.imag(), x[2]);
            },
@@ -157,7 +158,7 @@ std::vector<Example> examples()
   return { plane(), spheres(), hyperbolas(), exponentials(), cubics() };
 }
 
-// a start and a level whose curve stays in the cube, and where the gradient is not small
+// A start and a level. The curve stays in the cube, and avoids small gradients.
 struct Way
 {
   Vector start;
@@ -173,7 +174,7 @@ std::vector<Way> ways(const Example& example, int number, double difference, dou
     bool good = true;
     for(int i = 0; i <= 16 && good; ++i) {
       const Vector x = example.arrival(way.start, from + (to - from) * i / 16);
-      good = x.cwiseAbs().maxCoeff() < 0.98 && example.gradient(x).norm() > least_gradient; // false if not a number
+      good = x.cwiseAbs().maxCoeff() < 0.98 && example.gradient(x).norm() > least_gradient; // false for NaN
     }
     if(good) ways.push_back({ way.start, to });
   }
@@ -198,7 +199,7 @@ double largest_error(const Shell& shell, const Example& example, const Frame& fr
 
 TEST_CASE("Gradient flow: closed forms of curves are what they are said to be")
 {
-  // the oracle first: arrivals are on the level, and move along the gradient
+  // First, the oracle is checked: arrivals are on the level, and move along the gradient.
   for(const Example& example : examples())
     for(const Way& way : ways(example, 50, 0.5)) {
       INFO(example.name);
@@ -209,7 +210,7 @@ TEST_CASE("Gradient flow: closed forms of curves are what they are said to be")
       const Vector velocity = (example.arrival(way.start, way.level + h) - example.arrival(way.start, way.level - h))
                               / (2 * h);
       const Vector g = example.gradient(x);
-      CHECK((velocity - g / g.squaredNorm()).norm() < 1e-7); // h^2 times a third derivative of up to some hundreds
+      CHECK((velocity - g / g.squaredNorm()).norm() < 1e-7); // h^2 times a third derivative of up to a few hundred
       const Matrix d = example.differential(way.start, way.level);
       for(int a = 0; a < 3; ++a) {
         Vector up = way.start, down = way.start;
@@ -232,10 +233,10 @@ TEST_CASE("Gradient flow: arrivals are within the tolerance, on cells of one siz
     REQUIRE(hierarchical.field().number_of_levels() == 3);
     for(double tolerance : { 1e-3, 1e-5, 1e-7, 1e-9, 1e-11 }) {
       INFO(example.name << ", tolerance " << tolerance);
-      // as in a shell: less than half a cell, and the gradient does not change much
+      // As in a shell: curves are shorter than half a cell, and the gradient changes little.
       CHECK(largest_error(uniform, example, Frame(), tolerance, 0.07, 0.9) <= tolerance);
       CHECK(largest_error(hierarchical, example, Frame(), tolerance, 0.07, 0.9) <= tolerance);
-      // From one side of the cube to the other, over ten cells and more, and where curves diverge
+      // Curves cross the cube, over ten cells or more, and may diverge.
       CHECK(largest_error(uniform, example, Frame(), tolerance, 0.8, 0.4) <= tolerance);
       CHECK(largest_error(hierarchical, example, Frame(), tolerance, 0.8, 0.4) <= tolerance);
     }
@@ -270,8 +271,8 @@ TEST_CASE("Gradient flow: the default tolerance is 1e-9 of the box near the orig
 
 TEST_CASE("Gradient flow: curves along faces, edges and diagonals of cells, and through their corners")
 {
-  // All that is computed here is exact, and so are straight curves, but for where cells are left: a millionth of a cell
-  // beyond their faces, with the neighbor's rounding.
+  // All values are exact, and so are straight curves, except where they leave cells: a millionth of a cell beyond the
+  // faces, with the rounding of the neighbor.
   const double rounding = 1e-13;
   CGAL::Random random(3);
   for(const Vector& direction :
@@ -282,7 +283,7 @@ TEST_CASE("Gradient flow: curves along faces, edges and diagonals of cells, and 
     const auto check = [&](const auto& shell) {
       const BS::Gradient_flow_3<std::decay_t<decltype(shell)> > flow(shell);
       for(int n = 0; n < 300; ++n) {
-        // corners, and points in edges and faces of cells of all sizes, and a little beside
+        // corners, points in edges and faces of cells of all sizes, and points close to these
         Vector x(random.get_int(-8, 9) / 16., random.get_int(-8, 9) / 16., random.get_int(-8, 9) / 16.);
         if(n % 3 == 1) x[n % 9 / 3] += random.get_double(-1e-6, 1e-6);
         if(n % 3 == 2) x[n % 9 / 3] += random.get_double(0, 1 / 16.);
@@ -296,7 +297,8 @@ TEST_CASE("Gradient flow: curves along faces, edges and diagonals of cells, and 
     check(shell_of(hierarchical_field(polynomial), -infinity, infinity));
   }
 
-  // curved ones in a plane of faces, and those of x y in the plane x = y, which are straight and pass edges and corners
+  // Curves in a plane of faces; and curves of x y in the plane x = y, which are straight and pass through edges and
+  // corners.
   for(int seed : { 1, 2, 3 }) {
     const Hierarchical_shell curved = shell_of(hierarchical_field(hyperbolas().polynomial, Frame(), seed), -infinity,
                                                infinity);
@@ -327,14 +329,14 @@ TEST_CASE("Gradient flow: what is exactly on a threshold is in the shell, as sta
     CHECK((vector(flow.trace(inner, 0.625).point) - outer).norm() < 1e-13);
     REQUIRE(flow.trace(outer, -0.25));
     CHECK((vector(flow.trace(outer, -0.25).point) - inner).norm() < 1e-13);
-    for(double level : { -0.25, 0.625 }) { // no way at all
+    for(double level : { -0.25, 0.625 }) { // curves of length zero
       const auto arrival = flow.trace(level < 0 ? inner : outer, level);
       REQUIRE(arrival);
       CHECK((vector(arrival.point) - (level < 0 ? inner : outer)).norm() < 1e-13);
       CHECK((flow.differential(level < 0 ? inner : outer, level).matrix - Matrix::Identity()).norm() < 1e-13);
     }
   }
-  // on spheres, up to rounding
+  // On spheres, the same holds up to rounding.
   const Uniform_shell shell = shell_of(uniform_field(squared_distance), 0.25, 0.49);
   const BS::Gradient_flow_3<Uniform_shell> radial(shell);
   CGAL::Random random(11);
@@ -343,7 +345,7 @@ TEST_CASE("Gradient flow: what is exactly on a threshold is in the shell, as sta
     const auto out = radial.trace(0.5 * direction, 0.49), in = radial.trace(0.7 * direction, 0.25);
     REQUIRE(out.status == Flow_status::SUCCESS);
     REQUIRE(in.status == Flow_status::SUCCESS);
-    // a shell of a cell's width: some curves meet two cells, some four, and each has steps of its own
+    // The shell is as wide as a cell. Curves meet two to four cells, each in separate steps.
     CHECK((vector(out.point) - 0.7 * direction).norm() <= 2 * radial.tolerance());
     CHECK((vector(in.point) - 0.5 * direction).norm() <= 2 * radial.tolerance());
   }
@@ -370,21 +372,21 @@ TEST_CASE("Gradient flow: a point that cannot be moved has a status that says wh
   }
   CHECK(status(Vector(0.4, 0, 0), 0.4) == Flow_status::STARTS_OUTSIDE); // beyond the inner threshold
   CHECK(status(Vector(0.8, 0, 0), 0.4) == Flow_status::STARTS_OUTSIDE); // beyond the outer one
-  CHECK(status(Vector(5, 0, 0), 0.4) == Flow_status::STARTS_OUTSIDE);   // where there are no cells
+  CHECK(status(Vector(5, 0, 0), 0.4) == Flow_status::STARTS_OUTSIDE);   // outside all cells
   CHECK(status(Vector(1e300, 0, 0), 0.4) == Flow_status::STARTS_OUTSIDE);
   CHECK(status(x, 0.5) == Flow_status::LEAVES_SHELL);
   CHECK(status(x, 0.24) == Flow_status::LEAVES_SHELL);
   CHECK(status(x, 1e300) == Flow_status::LEAVES_SHELL);
   CHECK(status(x, -1e300) == Flow_status::LEAVES_SHELL);
 
-  // thresholds are kept to the tolerance, and no farther
+  // Thresholds are respected up to the tolerance.
   const double far = 3 * flow.tolerance();
   CHECK(status(Vector(0.5 - far, 0, 0), 0.4) == Flow_status::STARTS_OUTSIDE);
   CHECK(status(Vector(0.7 + far, 0, 0), 0.4) == Flow_status::STARTS_OUTSIDE);
   CHECK(status(Vector(0.5 + far, 0, 0), 0.4) == Flow_status::SUCCESS);
   CHECK(status(x, 0.49 + 1.4 * far) == Flow_status::LEAVES_SHELL);
 
-  // cells that the shell does not meet are no part of it
+  // Cells that the shell does not meet are not part of it.
   Uniform_field field = uniform_field({ { 1, { 1, 0, 0 } } });
   std::vector<char> cells(field.number_of_cells(), 1);
   for(Uniform_field::Cell_index c = 0; c < field.number_of_cells(); ++c) cells[c] = field.cell(c).corner()[0] < 0.5;
@@ -396,7 +398,7 @@ TEST_CASE("Gradient flow: a point that cannot be moved has a status that says wh
   CHECK(partly.trace(Vector(0.1, 0.1, 0.1), 0.4).status == Flow_status::SUCCESS);
   CHECK(partly.trace(Vector(0.1, 0.1, 0.1), 0.7).status == Flow_status::LEAVES_SHELL);
   CHECK(partly.trace(Vector(0.7, 0.1, 0.1), 0.6).status == Flow_status::STARTS_OUTSIDE);
-  // nor is what is beyond the last cell
+  // Neither are points beyond the last cell.
   CHECK(partly.trace(Vector(-0.9, 0.1, 0.1), -1.5).status == Flow_status::LEAVES_SHELL);
 
   for(int s = 0; s <= int(Flow_status::CANCELED); ++s) CHECK(std::strlen(message(Flow_status(s))) > 10);
@@ -404,7 +406,7 @@ TEST_CASE("Gradient flow: a point that cannot be moved has a status that says wh
 
 TEST_CASE("Gradient flow: a curve that runs into a critical point does not come out of it")
 {
-  // minima, and saddles that curves reach along an axis; next to zero, values are finer than elsewhere
+  // Minima, and saddles that curves reach along an axis. Near the value zero, the resolution of values is higher.
   const Polynomial minimum = squared_distance, saddle = { { 1, { 2, 0, 0 } }, { -1, { 0, 0, 2 } }, { 1, { 0, 2, 0 } } },
                    monkey_saddle = { { 1, { 3, 0, 0 } }, { -3, { 1, 2, 0 } } };
   struct Case
@@ -423,8 +425,8 @@ TEST_CASE("Gradient flow: a curve that runs into a critical point does not come 
         c.polynomial.pop_back();
         const BS::Gradient_flow_3<Uniform_shell> flow(shell, tolerance);
         INFO("start " << c.start.transpose() << ", value " << value << ", tolerance " << tolerance);
-        // Where the tolerance is larger than what is left of the way, it may end there by being unable to keep it.
-        // Beside a saddle, one that is off by rounding goes on.
+        // If the tolerance is larger than the rest of the curve, the curve may end because it cannot meet the
+        // tolerance. Near a saddle, a curve that deviates by rounding may continue.
         const auto arrival = flow.trace(c.start, value + c.beyond);
         if(arrival && c.polynomial[1].factor != minimum[1].factor) {
           const double off = *shell.field().value(arrival.point) - (value + c.beyond);
@@ -432,10 +434,10 @@ TEST_CASE("Gradient flow: a curve that runs into a critical point does not come 
         } else {
           CHECK((arrival.status == Flow_status::GRADIENT_VANISHES || arrival.status == Flow_status::TOO_MANY_STEPS));
         }
-        // and in it there is no curve
+        // No curve starts at the critical point.
         CHECK(flow.trace(Vector(0, 0, 0), value + 0.1).status == Flow_status::GRADIENT_VANISHES);
       }
-  // a field that is constant
+  // The field is constant.
   const Uniform_shell constant = shell_of(uniform_field({ { 0.5, { 0, 0, 0 } } }), 0, 1);
   CHECK(BS::Gradient_flow_3<Uniform_shell>(constant).trace(Vector(0.1, 0.2, 0.3), 0.6).status
         == Flow_status::GRADIENT_VANISHES);
@@ -443,7 +445,7 @@ TEST_CASE("Gradient flow: a curve that runs into a critical point does not come 
 
 TEST_CASE("Gradient flow: thresholds that vary end curves where they are")
 {
-  // f = x between -1/2 and 0.4 + y^2 / 4
+  // f = x, between -1/2 and 0.4 + y^2 / 4
   const Uniform_field field = uniform_field({ { 1, { 1, 0, 0 } } });
   typedef BS::Spline_threshold<Uniform_field> Threshold;
   typedef CGAL::Bspline_shell_3<Uniform_field, Threshold> Shell;
@@ -455,7 +457,7 @@ TEST_CASE("Gradient flow: thresholds that vary end curves where they are")
                     std::vector<char>(field.number_of_cells(), 1), {}, report);
   const BS::Gradient_flow_3<Shell> flow(shell);
   for(double y : { -0.9, -0.5, 0., 0.3, 0.7 }) {
-    const double end = 0.4 + y * y / 4, little = 1e-7; // far more than the tolerance, and the steps' rounding
+    const double end = 0.4 + y * y / 4, little = 1e-7; // much more than the tolerance, and the rounding of steps
     const Vector start(-0.1, y, 0.2);
     CHECK(flow.trace(start, end - little).status == Flow_status::SUCCESS);
     CHECK(flow.trace(start, end + little).status == Flow_status::LEAVES_SHELL);
@@ -486,7 +488,7 @@ TEST_CASE("Gradient flow: the differential is that of closed forms, and its rest
     const Hierarchical_shell shell = shell_of(hierarchical_field(example.polynomial, frame), -infinity, infinity,
                                               frame);
     const BS::Gradient_flow_3<Hierarchical_shell> flow(shell);
-    // of the derivatives, that is relative: see Gradient_flow_3::differential()
+    // The tolerance of derivatives is relative: see Gradient_flow_3::differential().
     const double tolerance = 4 * flow.tolerance() / shell.report().unit;
     CGAL::Random random(2);
     for(const Way& way : ways(example, 100, 0.1, 0.8)) {
@@ -496,9 +498,10 @@ TEST_CASE("Gradient flow: the differential is that of closed forms, and its rest
       const Vector x = example.arrival(way.start, way.level), g = example.gradient(x);
       const Matrix expected = example.differential(way.start, way.level);
       CHECK((d.matrix - expected).norm() <= tolerance);
-      CHECK((d.velocity - g / g.squaredNorm()).norm() <= 10 * tolerance); // its derivative is up to ten
+      CHECK((d.velocity - g / g.squaredNorm()).norm() <= 10 * tolerance); // its derivative is at most ten
 
-      // a plane not along the curve: images are in it; along the curve, nothing is left
+      // The plane is not parallel to the curve. Images are in the plane; displacements along the curve are mapped to
+      // zero.
       Vector normal = random_vector(random, 1);
       while(std::abs(normal.normalized().dot(g.normalized())) < 0.3) normal = random_vector(random, 1);
       const Matrix onto = d.onto_plane(normal), level = d.onto_level_set();
@@ -507,10 +510,11 @@ TEST_CASE("Gradient flow: the differential is that of closed forms, and its rest
       CHECK((onto * along).norm() <= 50 * tolerance);
       CHECK((d.velocity.transpose() * level).norm() <= 1e-14 * d.velocity.norm() * level.norm() * 10);
       CHECK((level * along).norm() <= 50 * tolerance);
-      // scaling or turning the normal round changes nothing
+      // Scaling or reversing the normal changes nothing.
       CHECK((d.onto_plane(-1000 * normal) - onto).norm() <= 1e-13 * onto.norm());
 
-      // the map to the plane through x, by moving along the tangents: second order, as the differential is first
+      // Compare with the map to the plane through x, along tangents. It is accurate to second order, while the
+      // differential is of first order.
       const double h = 1e-5;
       for(int a = 0; a < 3; ++a) {
         Vector ends[2];

@@ -1,4 +1,4 @@
-// Projection_facets_3.h: what its tree finds is what a comparison with all facets finds.
+// Projection_facets_3.h: the tree finds the same as a comparison with all facets.
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
@@ -42,7 +42,7 @@ double distance(const Coordinates& p, const Coordinates& q)
   return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
-// of a facet, by a grid of its points: no less than the distance
+// Returns the distance from a grid of points on a facet: an upper bound of the distance from the facet.
 double sampled_distance(const Facets& facets, Index f, const Coordinates& p)
 {
   constexpr int steps = 40;
@@ -103,7 +103,8 @@ TEST_CASE("Projection facets: boxes meet the facets whose boxes they meet, lines
         if(CGAL::do_overlap(box, bbox(facets, f))) expected.push_back(f);
       CHECK(found == expected);
 
-      // from a facet, in general position, along its normal: from behind it, it is met first
+      // The line passes through a facet along its normal, in general position. The facet is the first one that is met
+      // from behind.
       const Index f = Index(random() % facets.number_of_facets());
       const Coordinates q = facets.point(f, { 0.3, 0.33, 0.37 }), direction = facets.normal(f);
       passed += facets.facet_on_line(q, direction, -1e-3, 1e-3, 1e-9) == f ? 1 : 0;

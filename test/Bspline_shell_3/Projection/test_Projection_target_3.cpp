@@ -18,7 +18,7 @@ namespace BS = CGAL::Bspline_shells;
 typedef BS::Projection_target_3<Mesh> Target;
 typedef Target::Coordinates Coordinates;
 
-// facets begin at all corners
+// Returns a sphere whose facets begin at different corners.
 Mesh ball()
 {
   Mesh mesh = sphere(1);
@@ -105,7 +105,7 @@ TEST_CASE("Tips of meshes with lazy coordinates are found by the rounded coordin
   typedef CGAL::Surface_mesh<Lazy_kernel::Point_3> Lazy_mesh;
   const Mesh mesh = ball();
   const auto truncation = truncation_at(mesh, centers(), true).shared();
-  // all coordinates have their values, with wide enclosures
+  // All coordinates have the same values, but wide enclosures.
   const Lazy_kernel::FT large = Lazy_kernel::FT(1e9) / 3;
   const auto wide = [&](double x) { return Lazy_kernel::FT((x + large) - large); };
   Lazy_mesh lazy;

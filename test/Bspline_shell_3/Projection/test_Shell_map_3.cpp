@@ -1,4 +1,4 @@
-// Shell_map_3.h: one object for both directions and any number of calls; locations, parameters, and what is shared.
+// Shell_map_3.h: one object for both directions and any number of calls; locations, parameters, and shared data.
 #include "flat_and_round_maps.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
@@ -47,7 +47,7 @@ TEST_CASE("Shell map: a vertex has the image of its point")
   for(auto v : a.vertices()) {
     const auto image = map(v);
     REQUIRE(image);
-    // its location is one of several: its coordinates sum up to one with roundings of their own
+    // The location of a vertex is not unique; its coordinates sum to one up to rounding.
     const auto expected = map.to_target()(a.point(v));
     CHECK(CGAL::squared_distance(image.point, expected.point) < 1e-30);
   }
@@ -75,7 +75,7 @@ TEST_CASE("Shell map: locations are those of Polygon_mesh_processing, and their 
     CHECK(same(images[n], sequential[n]));
     CHECK(same(images[n], of_points[n]));
     CHECK(same(images[n], map(locations[n])));
-    // the ray through it
+    // The image is on the ray through the point.
     CHECK(CGAL::cross_product(images[n].point - CGAL::ORIGIN, points[n] - CGAL::ORIGIN).squared_length() < 1e-16);
   }
 }
@@ -91,7 +91,7 @@ TEST_CASE("Shell map: the inverse goes back, and shares what was prepared")
   CHECK(&inverse.to_source().target() == &map->to_target().target());
   CHECK(&copy.to_target().target() == &map->to_target().target());
   CHECK(inverse.to_source().tolerance() == map->to_target().tolerance());
-  map.reset(); // the others go on
+  map.reset(); // the copies remain valid
   for(const Location& l : some_locations(a)) {
     const auto there = copy(l);
     REQUIRE(there);
@@ -100,7 +100,7 @@ TEST_CASE("Shell map: the inverse goes back, and shares what was prepared")
     CHECK(CGAL::squared_distance(back.point, CGAL::Polygon_mesh_processing::construct_point(l, a))
           <= CGAL::square(2 * copy.to_target().tolerance()));
   }
-  // a map made of projections that exist
+  // A map can be made of existing projections.
   const Map again(copy.to_source(), copy.to_target());
   CHECK(same(again(Location(Mesh::Face_index(3), { 0.2, 0.3, 0.5 })),
              copy(Location(Mesh::Face_index(3), { 0.2, 0.3, 0.5 }))));
@@ -117,7 +117,7 @@ TEST_CASE("Shell map: named parameters: tolerance, points elsewhere, visitor")
   CHECK(loose.to_source().tolerance() == 1e-4);
   CHECK(loose.inverse().to_target().tolerance() == 1e-4);
 
-  // each mesh with a map of its own; its own points are of no use
+  // Each mesh has a separate point map; its own points are useless.
   const std::vector<Location> locations = some_locations(a);
   const auto expected = map.project(locations);
   auto of_a = a.add_property_map<Mesh::Vertex_index, Point_3>("v:a").first,
@@ -218,7 +218,7 @@ TEST_CASE("Shell map: the differential between homothetic spheres is the homothe
     REQUIRE(d);
     const Vector_3 n = normal(b, image.location.first);
     const Eigen::Matrix3d onto = d.onto_plane({ n.x(), n.y(), n.z() });
-    const std::array<Point_3, 3> t = triangle(a, image.location.first); // the same numbers
+    const std::array<Point_3, 3> t = triangle(a, image.location.first); // both spheres have the same numbering
     for(int i : { 1, 2 }) {
       const Vector_3 e = t[std::size_t(i)] - t[0];
       const Eigen::Vector3d edge(e.x(), e.y(), e.z());

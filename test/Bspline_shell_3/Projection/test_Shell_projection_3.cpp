@@ -1,5 +1,5 @@
-// Shell_projection_3.h, Projection_target_3.h, project_points.h: images are where the curve meets the target, found
-// again in other ways, and what has no image has a status that says why.
+// Shell_projection_3.h, Projection_target_3.h, project_points.h: images are where the curve meets the target, as found
+// in other ways. Points without an image get a status with the reason.
 #include "polynomial_fields.h"
 #include "test_meshes.h"
 
@@ -44,14 +44,14 @@ double distance(const Point_3& p, const Point_3& q)
   return std::sqrt(CGAL::squared_distance(p, q));
 }
 
-// f = |x|^2: curves are the rays from the origin
+// f = |x|^2; curves are the rays from the origin
 const Shell& radial_shell()
 {
   static const Shell shell = shell_of(uniform_field(squared_distance), 0.3, 0.9);
   return shell;
 }
 
-// f = z: curves are vertical
+// f = z; curves are vertical
 const Shell& slab()
 {
   static const Shell shell = shell_of(uniform_field({ { 1, { 0, 0, 1 } } }), -0.9, 0.9);
@@ -81,7 +81,7 @@ std::array<Point_3, 3> triangle(const Mesh& mesh, Mesh::Face_index f)
   return { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) };
 }
 
-// where the ray from the origin through p meets the mesh, a polyhedron that is star-shaped, in exact arithmetic
+// Returns the intersection of the ray from the origin through p with a star-shaped polyhedron, in exact arithmetic.
 Point_3 hit_of_ray(const Mesh& mesh, const Point_3& p)
 {
   const Exact_vector d = exact(p);
@@ -97,7 +97,7 @@ Point_3 hit_of_ray(const Mesh& mesh, const Point_3& p)
   return p;
 }
 
-// location, point and value of an image are those of one and the same point of the mesh
+// Checks that location, point and value of an image belong to the same point of the mesh.
 template <typename Shell>
 void check_consistent(const Shell& shell, const Mesh& mesh, const Image& image, double tolerance)
 {
@@ -114,7 +114,7 @@ void check_consistent(const Shell& shell, const Mesh& mesh, const Image& image, 
   CHECK(std::abs(*shell.field().value(image.point) - image.value) <= 2 * tolerance * g);
 }
 
-// in the radial shell
+// Returns random points in the radial shell.
 std::vector<Point_3> random_points(int number, int seed = 1)
 {
   CGAL::Random random(seed);
@@ -140,7 +140,7 @@ std::vector<Point_3> vertices_midpoints_and_centroids(const Mesh& mesh)
   return points;
 }
 
-// a new vertex on an edge, and triangles around it; returns the halfedge to it
+// Splits an edge at a new vertex, and the triangles beside it. Returns the halfedge to the new vertex.
 Mesh::Halfedge_index split(Mesh& mesh, Mesh::Halfedge_index h, const Point_3& p)
 {
   const auto to_new = CGAL::Euler::split_edge(h, mesh);
@@ -149,8 +149,8 @@ Mesh::Halfedge_index split(Mesh& mesh, Mesh::Halfedge_index h, const Point_3& p)
   return to_new;
 }
 
-// An icosahedron with a very short edge in the middle of each edge that crosses an axis, as coordinates that are nearly
-// zero allow it, and needles on both sides: corefinement leaves such edges where a vertex of one mesh almost lies on an
+// Returns an icosahedron with a very short edge in the middle of each edge that crosses an axis, and needles on both
+// sides. Coordinates close to zero permit this. Corefinement creates such edges if a vertex of one mesh is almost on an
 // edge of the other.
 Mesh icosahedron_with_needles(double length)
 {
@@ -161,7 +161,7 @@ Mesh icosahedron_with_needles(double length)
     const Point_3 p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)), m = CGAL::midpoint(p, q);
     if((m.x() == 0) + (m.y() == 0) + (m.z() == 0) != 2) continue;
     split(mesh, h, m);
-    // not along the edge, so that differences to other vertices are rounded
+    // The second vertex is off the edge, so that differences to other vertices are rounded.
     const Vector_3 along = (q - p) / distance(p, q),
                    across = CGAL::cross_product(m - CGAL::ORIGIN, along) / distance(m, CGAL::ORIGIN);
     split(mesh, h, m + length * (0.8 * along + 0.6 * across));
@@ -169,7 +169,7 @@ Mesh icosahedron_with_needles(double length)
   return mesh;
 }
 
-// all that can be seen of an image is the same
+// Returns whether two images are equal.
 template <typename Image>
 bool same(const Image& a, const Image& b)
 {
@@ -186,7 +186,7 @@ TEST_CASE("Projection: from a sphere to a polyhedron, images are where exact ray
     if(tolerance == 0) CHECK(project.tolerance() == 2e-9); // 1e-9 of the box
     else CHECK(project.tolerance() == tolerance);
     std::vector<Point_3> points = random_points(300);
-    // in the rays through what is on edges and at vertices of the target, exactly or nearly
+    // also points on rays through vertices, edges and facets of the target, exactly or nearly
     for(const Point_3& p : vertices_midpoints_and_centroids(mesh)) {
       points.push_back(p);
       points.push_back(CGAL::ORIGIN + 0.75 * (p - CGAL::ORIGIN));
@@ -211,10 +211,10 @@ TEST_CASE("Projection: points on the thresholds have images")
       const Point_3 q = CGAL::ORIGIN + std::sqrt(level / d.squared_length()) * d;
       const Image image = project(q);
       REQUIRE(image.status == Flow_status::SUCCESS);
-      // from up to two cells away: see the tests of the flow
+      // The points are up to two cells away; see the tests of the flow.
       CHECK(distance(image.point, hit_of_ray(mesh, q)) <= 2 * project.tolerance());
     }
-  // exactly, and a target that is in part the threshold itself
+  // Here, values are exact, and the target is on a threshold.
   const Mesh top = sheet({ -0.5, 0, 0.5 }, { -0.5, 0, 0.5 }, [](double, double) { return 0.875; });
   const Shell exact_slab = shell_of(uniform_field({ { 1, { 0, 0, 1 } } }), -0.75, 0.875);
   for(const Point_3& p :
@@ -231,7 +231,7 @@ TEST_CASE("Projection: a mesh is mapped to itself by the identity")
     const Projection project = projection(radial_shell(), mesh);
     std::size_t n = 0;
     for(const Point_3& p : vertices_midpoints_and_centroids(mesh)) {
-      if((p - CGAL::ORIGIN).squared_length() <= 0.3) continue; // of the box's sides
+      if((p - CGAL::ORIGIN).squared_length() <= 0.3) continue; // outside the shell, on the box's sides
       const Image image = project(p);
       check_consistent(radial_shell(), mesh, image, project.tolerance());
       CHECK(distance(image.point, p) <= 1e-14);
@@ -243,7 +243,7 @@ TEST_CASE("Projection: a mesh is mapped to itself by the identity")
       const Point_3 c = CGAL::centroid(t[0], t[1], t[2]);
       if((c - CGAL::ORIGIN).squared_length() > 0.3) CHECK(project(c).location.first == f);
       for(auto h : mesh.halfedges_around_face(mesh.halfedge(f))) {
-        // at a vertex, one of the facets there
+        // At a vertex, the image may be in any of its facets.
         const auto found = mesh.vertices_around_face(mesh.halfedge(project(mesh.point(mesh.target(h))).location.first));
         CHECK(std::count(found.begin(), found.end(), mesh.target(h)) == 1);
       }
@@ -253,16 +253,16 @@ TEST_CASE("Projection: a mesh is mapped to itself by the identity")
 
 TEST_CASE("Projection: needles, caps and facets of very different sizes are targets as others are")
 {
-  // x in steps from 1e-7 to 0.1, and rows of needles
+  // Steps in x begin at 1e-7; there are rows of needles.
   const std::vector<double> xs = { -0.8, -0.5, -0.5 + 1e-7, -0.5 + 3e-7, -0.1, 0, 1e-6, 1e-4, 0.01, 0.8 },
                             ys = { -0.8, -1e-7, 0, 0.3, 0.8 };
   const auto plane = [](double x, double y) { return 0.25 * x - 0.5 * y + 0.0625; };
   Mesh mesh = sheet(xs, ys, plane);
-  // caps: a point next to the middle of an edge, on either side of it
+  // Caps: a point is added next to the middle of an edge, on either side of it.
   std::vector<Mesh::Face_index> facets(mesh.faces_begin(), mesh.faces_end());
   for(std::size_t n = 0; n < facets.size(); n += 3) {
     const std::array<Point_3, 3> t = triangle(mesh, facets[n]);
-    // caps of needles would be as thin as coordinates' last digits
+    // Caps of needles would be as thin as the last digits of coordinates.
     if(CGAL::squared_area(t[0], t[1], t[2]) < 1e-8) continue;
     const Point_3 p = CGAL::barycenter(t[0], 0.5, t[1], 0.5 - 1e-9, t[2], 1e-9);
     const auto h = CGAL::Euler::add_center_vertex(mesh.halfedge(facets[n]), mesh);
@@ -283,14 +283,14 @@ TEST_CASE("Projection: needles, caps and facets of very different sizes are targ
     REQUIRE(image.status == Flow_status::SUCCESS);
     CHECK(distance(image.point, Point_3(x, y, plane(x, y))) <= project.tolerance());
   }
-  // and the vertices themselves, inner ones
+  // Inner vertices are their own images.
   for(auto v : mesh.vertices())
     if(!mesh.is_border(v)) CHECK(distance(project(mesh.point(v)).point, mesh.point(v)) <= project.tolerance());
 }
 
 TEST_CASE("Projection: the image is on the sheet that the curve meets, not on the nearest one")
 {
-  // f = z^2 grows away from the plane z = 0, and the shell has two parts
+  // f = z^2 increases away from the plane z = 0, so the shell has two parts.
   const Shell shell = shell_of(uniform_field({ { 1, { 0, 0, 2 } } }), 0.01, 0.8);
   const std::vector<double> grid = { -0.5, 0.1, 0.5 };
   for(bool lower_faces_down : { true, false }) {
@@ -306,7 +306,7 @@ TEST_CASE("Projection: the image is on the sheet that the curve meets, not on th
     const Image below = project(Point_3(0.2, 0.3, -0.3));
     CHECK(below.status == (lower_faces_down ? Flow_status::SUCCESS : Flow_status::FACES_WRONG_WAY));
     CHECK(project(Point_3(0.2, 0.3, 0.01)).status == Flow_status::STARTS_OUTSIDE);
-    CHECK(project(Point_3(0.2, 0.3, 0)).status == Flow_status::STARTS_OUTSIDE); // even though there is no curve
+    CHECK(project(Point_3(0.2, 0.3, 0)).status == Flow_status::STARTS_OUTSIDE); // no curve starts here
   }
 }
 
@@ -329,7 +329,7 @@ TEST_CASE("Projection: what has no image has a status, and nothing else")
   check(project(Point_3(0.1, std::numeric_limits<double>::quiet_NaN(), 0)), Flow_status::NOT_FINITE);
   check(project(Point_3(0.1, infinity, 0)), Flow_status::NOT_FINITE);
 
-  // outside of the shell, on either side
+  // The target is outside the shell, on either side.
   for(double radius : { 0.3, 1.5 }) check(projection(radial_shell(), sphere(1, radius))(p), Flow_status::LEAVES_SHELL);
 
   Mesh turned = good;
@@ -349,7 +349,7 @@ TEST_CASE("Projection: what has no image has a status, and nothing else")
     Mesh mesh = good;
     mesh.point(Mesh::Vertex_index(7)) = Point_3(0, bad, 0);
     check(projection(radial_shell(), mesh)(p), Flow_status::INVALID_MESH);
-    // but a vertex without facets is nowhere
+    // A vertex without facets is irrelevant.
     Mesh with_vertex = good;
     with_vertex.add_vertex(Point_3(0, bad, 0));
     CHECK(projection(radial_shell(), with_vertex)(p));
@@ -375,7 +375,7 @@ TEST_CASE("Projection: through holes curves leave the shell, beside them they do
     } else CHECK(same(image, whole));
   }
   CHECK(lost > 50);
-  // a facet without area is not met, whichever way it may face
+  // A degenerate facet is not met, whichever way it might face.
   const auto h = std::find_if(mesh.halfedges_begin(), mesh.halfedges_end(), [&](auto e) { return mesh.is_border(e); });
   const std::array<Point_3, 3> t = triangle(closed, Mesh::Face_index(0));
   const auto a = mesh.add_vertex(t[0]), b = mesh.add_vertex(CGAL::midpoint(t[1], t[2])),
@@ -389,7 +389,7 @@ TEST_CASE("Projection: with one thread and with several, images are the same, bi
 {
   const Mesh mesh = sphere(2, 0.85);
   std::vector<Point_3> points = random_points(40000);
-  points[3] = Point_3(0, 0, 0); // without an image
+  points[3] = Point_3(0, 0, 0); // has no image
   const Projection project = projection(radial_shell(), mesh);
   const std::vector<Image> one = project.project<CGAL::Sequential_tag>(points),
                            several = project.project<CGAL::Parallel_tag>(points),
@@ -401,13 +401,13 @@ TEST_CASE("Projection: with one thread and with several, images are the same, bi
   for(std::size_t n = 0; n < points.size(); ++n)
     equal = equal && same(one[n], several[n]) && same(one[n], by_function[n]);
   CHECK(equal);
-  // and up to the tolerance that of a point alone
+  // Up to the tolerance, each image is that of the single point.
   for(std::size_t n : { 0, 12345, 39999 })
     CHECK(distance(one[n].point, project(points[n]).point) <= 2 * project.tolerance());
   CHECK(same(one[3], project(points[3])));
   CHECK(one[3].status == Flow_status::STARTS_OUTSIDE);
   CHECK(BS::project_points(radial_shell(), std::vector<Point_3>(), mesh).empty());
-  // a looser tolerance, passed on
+  // A larger tolerance is passed on.
   const auto loose = BS::project_points(radial_shell(), points, mesh, P::tolerance(1e-3));
   CHECK_FALSE(same(loose[0], one[0]));
   CHECK(distance(loose[0].point, projection(radial_shell(), mesh, 1e-3)(points[0]).point) <= 2e-3);
@@ -424,12 +424,12 @@ TEST_CASE("Projection: wherever the search begins, the image is the same up to t
     const Image reference = project(p);
     REQUIRE(reference.status == Flow_status::SUCCESS);
     Projection::Hint hint;
-    hint.facet = Projection::Target::Index(random.get_int(0, int(facets))); // mostly far away, and facing elsewhere
+    hint.facet = Projection::Target::Index(random.get_int(0, int(facets))); // mostly far away
     const Image image = project(p, hint);
     check_consistent(radial_shell(), mesh, image, project.tolerance());
     CHECK(distance(image.point, reference.point) <= 2 * project.tolerance());
     CHECK(project.target().face_of(hint.facet) == image.location.first);
-    // from a neighbor
+    // The search begins at a neighbor.
     hint.facet = project.target().traced_facets().neighbor(hint.facet, 0);
     const Image from_neighbor = project(p, hint);
     CHECK(distance(from_neighbor.point, reference.point) <= 2 * project.tolerance());
@@ -437,7 +437,7 @@ TEST_CASE("Projection: wherever the search begins, the image is the same up to t
   }
   CHECK(near > 1990);
 
-  // f = z^2: each curve meets only the sheet on its side of the plane
+  // f = z^2; each curve meets only the sheet on its side of the plane
   const Shell shell = shell_of(uniform_field({ { 1, { 0, 0, 2 } } }), 0.01, 0.8);
   const std::vector<double> grid = { -0.5, 0.1, 0.5 };
   Mesh sheets = sheet(grid, grid, [](double, double) { return -0.2; });
@@ -453,14 +453,14 @@ TEST_CASE("Projection: wherever the search begins, the image is the same up to t
       REQUIRE(image.status == Flow_status::SUCCESS);
       CHECK(distance(image.point, Point_3(0.2, 0.3, z > 0 ? 0.5 : -0.2)) <= to_sheets.tolerance());
     }
-  // facets that the target does not have
+  // hints beyond the target's facets
   for(Projection::Target::Index f : { Projection::Target::Index(2 * of_lower), Projection::Target::npos - 1 }) {
     Projection::Hint beyond;
     beyond.facet = f;
     CHECK(distance(to_sheets(Point_3(0.2, 0.3, 0.11), beyond).point, Point_3(0.2, 0.3, 0.5)) <= to_sheets.tolerance());
     CHECK(beyond.facet < 2 * of_lower);
   }
-  // a point without an image leaves the hint as it is
+  // A point without an image does not change the hint.
   Projection::Hint hint;
   hint.facet = 1;
   CHECK(to_sheets(Point_3(0.2, 0.3, 0.01), hint).status == Flow_status::STARTS_OUTSIDE);
@@ -484,7 +484,7 @@ TEST_CASE("Projection: a walk over edges finds the facet on a line that the tree
       CHECK(facets.facet_on_line_near(neighbor, p, p, -1, 1) == found);
       for(int j = 0; j < 3; ++j) CHECK(facets.facet_on_line_near(facets.neighbor(neighbor, j), p, p, -1, 1) == found);
     }
-    // not on the segment, or facing the other way, or on the other side of the sphere
+    // The facet is beyond either end of the segment, or faces the other way.
     const double s = -facets.height(found, p)
                      / CGAL::to_double(
                        dot(exact(Point_3(facets.normal(found)[0], facets.normal(found)[1], facets.normal(found)[2])),
@@ -493,7 +493,7 @@ TEST_CASE("Projection: a walk over edges finds the facet on a line that the tree
     CHECK(facets.facet_on_line_near(found, p, p, -1, s - 1e-6) == npos);
     CHECK(facets.facet_on_line_near(found, p, { -p[0], -p[1], -p[2] }, -1, 1) == npos);
   }
-  // over a border, and more moves than looking it up is worth
+  // One walk is short, one has too many moves, and one crosses a border.
   const std::vector<double> grid = { -0.9, -0.8, -0.7, -0.6, -0.5, -0.4, -0.3, -0.2, -0.1, 0,
                                      0.1,  0.2,  0.3,  0.4,  0.5,  0.6,  0.7,  0.8,  0.9 };
   const Mesh plane = sheet(grid, grid, [](double, double) { return 0.; });
@@ -510,7 +510,7 @@ TEST_CASE("Projection: a visitor is told how much is done, and stops the rest")
   struct Visitor
   {
     std::vector<std::pair<std::size_t, std::size_t> > calls;
-    std::size_t stop = std::size_t(-1); // as soon as so many are done
+    std::size_t stop = std::size_t(-1); // stops once this many points are done
     bool advance(std::size_t done, std::size_t total)
     {
       calls.emplace_back(done, total);
@@ -536,7 +536,7 @@ TEST_CASE("Projection: a visitor is told how much is done, and stops the rest")
   REQUIRE(hasty.calls.size() == 1);
   const std::size_t done = hasty.calls[0].first;
   CHECK(done < points.size());
-  // which ones are dealt with first is left open
+  // The order of points is unspecified.
   std::size_t canceled = 0;
   bool equal = true;
   for(std::size_t n = 0; n < points.size(); ++n)
@@ -558,7 +558,7 @@ TEST_CASE("Projection: Polyhedron_3, removed elements, other points, and points 
   const auto on_polyhedron = BS::project_points(radial_shell(), points, polyhedron);
   Mesh garbage = mesh;
   CGAL::copy_face_graph(sphere(1, 0.7), garbage);
-  for(std::size_t n = 0; n < mesh.number_of_faces(); ++n) // leaves the second one
+  for(std::size_t n = 0; n < mesh.number_of_faces(); ++n) // only the second sphere remains
     CGAL::Euler::remove_face(garbage.halfedge(Mesh::Face_index(Mesh::size_type(n))), garbage);
   for(auto v : garbage.vertices()) {
     const Vector_3 d = garbage.point(v) - CGAL::ORIGIN;
@@ -566,7 +566,7 @@ TEST_CASE("Projection: Polyhedron_3, removed elements, other points, and points 
   }
   REQUIRE(garbage.has_garbage());
   const auto on_garbage = BS::project_points(radial_shell(), points, garbage);
-  // elsewhere, and with coordinates of another type
+  // Points are stored outside the mesh, with coordinates of another type.
   Mesh nowhere = mesh;
   auto elsewhere = nowhere.add_property_map<Mesh::Vertex_index, CGAL::Simple_cartesian<float>::Point_3>("v:elsewhere")
                      .first;
@@ -592,14 +592,14 @@ TEST_CASE("Projection: Polyhedron_3, removed elements, other points, and points 
           < 1e-14);
     CHECK(distance(on_garbage[n].point, expected[n].point) <= 2 * tolerance);
     CHECK_FALSE(garbage.is_removed(on_garbage[n].location.first));
-    CHECK(distance(on_floats[n].point, expected[n].point) <= 1e-6); // as floats are
+    CHECK(distance(on_floats[n].point, expected[n].point) <= 1e-6); // the precision of floats
     CHECK(same(of_arrays[n], expected[n]));
   }
 }
 
 TEST_CASE("Projection: facets thinner than rounding may have no images, but none that are wrong")
 {
-  // heights down to 1e-18: vertices are where their last digits allow, and facets may face any way
+  // Heights go down to 1e-18: vertices are rounded, and facets may face any direction.
   CGAL::Random random(8);
   std::vector<double> xs = { -0.8, 0.8 }, ys = { -0.8, 0.8 };
   for(int n = 0; n < 12; ++n) xs.push_back(0.3 + std::pow(10., -n - 6));
@@ -657,7 +657,7 @@ TEST_CASE("Projection: a point of a facet, however thin, is found where it is")
   CGAL::Random random(12);
   const auto coordinate = [&]() { return random.get_double(-1, 1); };
   for(int n = 0; n < 2000; ++n) {
-    // two vertices near the origin, where there are digits left for what they differ by
+    // Two vertices are close to the origin, where coordinates have enough digits for their difference.
     const double length = std::pow(10., random.get_double(-30, 0)), t = random.get_double(0, 1),
                  u = random.get_double(0, 1 - t);
     const Point_3 p(length * coordinate(), length * coordinate(), length * coordinate()),
@@ -676,7 +676,7 @@ TEST_CASE("Projection: a point of a facet, however thin, is found where it is")
 
 TEST_CASE("Projection: the differential is that of finite differences within a facet")
 {
-  // curved
+  // The curves are not straight.
   const Shell shell = shell_of(uniform_field({ { 1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } }, { 1, { 0, 0, 1 } } }), -0.9,
                                0.9);
   const Mesh mesh = sheet({ -0.6, -0.2, 0.1, 0.6 }, { -0.6, 0, 0.3, 0.6 },
@@ -700,7 +700,7 @@ TEST_CASE("Projection: the differential is that of finite differences within a f
         continue;
       const Vector_3 difference = (up.point - down.point) / (2 * h);
       const Eigen::Vector3d column(difference.x(), difference.y(), difference.z());
-      CHECK((column - onto.col(a)).norm() < 1e-6); // h^2 times third derivatives of some tens, and 1e-13 / h
+      CHECK((column - onto.col(a)).norm() < 1e-6); // h^2 times third derivatives of a few tens, plus 1e-13 / h
       ++checked;
     }
   }

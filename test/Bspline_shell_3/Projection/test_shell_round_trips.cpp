@@ -1,5 +1,5 @@
-// Shell_projection_3.h, Shell_map_3.h: between certified meshes in a certified shell no point is lost, there and back
-// again is the start, and a search through everything finds the same images.
+// Shell_projection_3.h, Shell_map_3.h: between certified meshes in a certified shell, no point is lost, and the way
+// there and back ends at the start. A search through all facets finds the same images.
 #include "meshes_in_shell.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
@@ -32,7 +32,7 @@ Mesh triangulated(Mesh mesh)
   return mesh;
 }
 
-// vertices, edge midpoints and centroids, and random points
+// Returns vertices, midpoints of edges, centroids, and random points.
 std::vector<Location> locations(const Mesh& mesh, int random_ones)
 {
   std::vector<Location> result;
@@ -122,7 +122,7 @@ TEST_CASE("Round trips: between meshes that have no facet in common")
   REQUIRE(thick.is_certified());
   BS::Shell_certificate_3<Shell::Field, Shell::Threshold> certificate(thick);
   Mesh fine = sphere(3, 0.97);
-  for(auto v : fine.vertices()) { // turned, so that no vertex is on an edge or vertex of the other
+  for(auto v : fine.vertices()) { // turned, so that no vertex is on an edge or at a vertex of the other mesh
     const Point_3 p = fine.point(v);
     fine.point(v) = Point_3(0.8 * p.x() - 0.6 * p.y(), 0.6 * p.x() + 0.8 * p.y(), p.z());
   }
@@ -147,7 +147,7 @@ TEST_CASE("Round trips: images are the only places where densely traced curves m
     REQUIRE(image);
     const auto start = map.point(location);
     const double f = *shell.field().value(Point_3(start[0], start[1], start[2]));
-    // the curve, as far as it is in the shell
+    // Trace the curve within the shell.
     std::vector<std::pair<double, Point_3> > curve;
     constexpr int parts = 64;
     const double most = 2 * shell.thickness();
@@ -156,7 +156,7 @@ TEST_CASE("Round trips: images are the only places where densely traced curves m
       if(arrival) curve.emplace_back(f + most * i / parts, arrival.point);
     }
     REQUIRE(curve.size() > parts / 4);
-    // all changes of side, and those that are in facets, or nearly
+    // Find all changes of side, and keep those in facets, or nearly so.
     for(auto facet : b.faces()) {
       const auto h = b.halfedge(facet);
       const Point_3 &p = b.point(b.source(h)), &q = b.point(b.target(h)), &r = b.point(b.target(b.next(h)));
@@ -174,7 +174,7 @@ TEST_CASE("Round trips: images are the only places where densely traced curves m
           x = arrival.point;
           (((height(x) < 0) == below) ? low : high) = middle;
         }
-        // in it, or within 1e-9 of the box
+        // in the facet, or within 1e-9 of the box
         const double far = -1e-9 * shell.report().unit * std::sqrt(normal.squared_length());
         const auto inside = [&](const Point_3& u, const Point_3& v) {
           return CGAL::cross_product(v - u, x - u) * normal >= far * std::sqrt((v - u).squared_length());
@@ -182,12 +182,12 @@ TEST_CASE("Round trips: images are the only places where densely traced curves m
         if(!inside(p, q) || !inside(q, r) || !inside(r, p)) continue;
         ++met;
         CHECK(below); // never from above
-        // tolerances of the image, of the bisection and of the edges, and curves meet facets at angles that are not
-        // flat
+        // The allowance covers the tolerances of the image, the bisection and the edges. Curves do not meet facets at
+        // small angles.
         CHECK(distance(x, image.point) <= 5e-9 * shell.report().unit);
       }
     }
   }
-  CHECK(met >= 60); // more where edges are met
+  CHECK(met >= 60); // more if edges are met
 }
 } // namespace test_shell_round_trips

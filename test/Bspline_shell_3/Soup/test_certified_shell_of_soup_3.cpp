@@ -1,4 +1,4 @@
-// Whatever polygons form, they get a certified shell: of themselves, repaired, virtually closed, or of a proxy.
+// Any polygons get a certified shell: around themselves, possibly repaired or virtually closed, or around a proxy.
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Soup/write_report.h>
 #include <CGAL/certified_shell_of_soup_3.h>
@@ -39,7 +39,7 @@ bool contains(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
-// a strip of quadrilaterals, turned by `halves` half turns
+// Returns a strip of triangles with `halves` half twists.
 BS::Polygon_soup band(int halves, int around = 48)
 {
   BS::Polygon_soup soup;
@@ -109,15 +109,15 @@ TEST_CASE("Near duplicates: points that are almost, but not quite, at others are
   CHECK(BS::number_of_near_duplicates(points) == 0);
   points.push_back(points[5]); // equal
   CHECK(BS::number_of_near_duplicates(points) == 0);
-  points.emplace_back(3 + 8e-6, 4 - 8e-6, 8e-6); // nearer than 1e-6 of the box, whose longest side is 9
+  points.emplace_back(3 + 8e-6, 4 - 8e-6, 8e-6); // closer than 1e-6 of the box, whose longest side is 9
   points.emplace_back(7 - 1e-12, 7, 0);
-  points.emplace_back(2 + 1e-5, 2, 0); // not so near
+  points.emplace_back(2 + 1e-5, 2, 0); // not as close
   CHECK(BS::number_of_near_duplicates(points) == 4);
 }
 
 TEST_CASE("Front door: the message on polygons that are not a mesh counts points that are almost equal")
 {
-  // a tetrahedron whose facets do not quite meet at one vertex, and a facet that doubles an edge
+  // The facets of a tetrahedron do not quite meet at one vertex, and another facet doubles an edge.
   BS::Polygon_soup soup{ { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1),
                            Point_3(0, 0, 1 + 1e-9) },
                          { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 4 }, { 0, 1, 4 } } };
@@ -127,7 +127,7 @@ TEST_CASE("Front door: the message on polygons that are not a mesh counts points
   CHECK(contains(shell.mesh_message(), "2 are closer"));
   CHECK(contains(report_of(shell), "\"near_duplicates\": 2"));
   REQUIRE(shell.is_certified());
-  CHECK(contains(shell.message(), "thicker than asked")); // the proxy is farther away than that
+  CHECK(contains(shell.message(), "thicker than asked")); // the proxy is farther away
   CHECK_FALSE(contains(shell.message(), "as thin as asked"));
 }
 
@@ -138,7 +138,7 @@ TEST_CASE("Front door: what is refused as a mesh gets a proxy, and the reason is
   CHECK(strip.kind() == BS::Shell_kind::PROXY);
   CHECK(strip.mesh_status == BS::Shell_status::NOT_ORIENTABLE);
   CHECK(contains(strip.mesh_message(), "one-sided"));
-  CHECK_FALSE(contains(strip.mesh_message(), "take a proxy")); // there is one
+  CHECK_FALSE(contains(strip.mesh_message(), "take a proxy")); // there is a proxy already
   CHECK(CGAL::is_closed(strip.mesh()));
   BS::Shell_certificate_3<BS::Shell_of_soup_3::Shell::Field, BS::Shell_of_soup_3::Shell::Threshold> certificate(
     strip.shell());
@@ -148,7 +148,7 @@ TEST_CASE("Front door: what is refused as a mesh gets a proxy, and the reason is
   CHECK(contains(report, "\"status\": \"certified\""));
   CHECK(contains(report, strip.mesh_message()));
 
-  // borders that touch each other in a vertex
+  // Two borders touch in a vertex.
   const BS::Polygon_soup bow{ { Point_3(0, 0, 0), Point_3(1, -0.5, 0), Point_3(1, 0.5, 0), Point_3(-1, 0.5, 0.1),
                                 Point_3(-1, -0.5, 0) },
                               { { 0, 1, 2 }, { 0, 3, 4 } } };

@@ -1,5 +1,4 @@
-// Polygons become a mesh where little is missing, and what was done is counted; where more is missing, the status says
-// what.
+// Polygons become a mesh if only little is missing, and repairs are counted. Otherwise, the status has the reason.
 #include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
 #include "test_meshes.h"
 
@@ -19,7 +18,7 @@ namespace {
 namespace BS = CGAL::Bspline_shells;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-// each triangle has its own points, as in STL files
+// Returns a soup in which each triangle has its own points, as in STL files.
 BS::Polygon_soup exploded(const Mesh& mesh)
 {
   BS::Polygon_soup soup;
@@ -77,7 +76,7 @@ TEST_CASE("Repair: triangles that share no points, some turned, some doubled, so
 
 TEST_CASE("Repair: a facet without area between others goes, and the mesh stays closed")
 {
-  // the point 4 lies on the edge from 0 to 1
+  // The point 4 is on the edge from 0 to 1.
   const BS::Polygon_soup soup{ { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1),
                                  Point_3(0.5, 0, 0) },
                                { { 0, 2, 4 }, { 4, 2, 1 }, { 0, 4, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } } };
@@ -102,7 +101,7 @@ TEST_CASE("Repair: three facets at an edge, a Moebius strip and nothing are name
   CHECK(BS::repair_soup({ points, {} }, mesh, repairs, offenders) == BS::Shell_status::EMPTY_MESH);
   CHECK(BS::repair_soup({ points, { { 0, 0, 1 } } }, mesh, repairs, offenders) == BS::Shell_status::EMPTY_MESH);
   CHECK(repairs.removed_polygons == 1);
-  // five triangles, of which the last is joined to the first the other way round
+  // Five triangles form a strip; the last one is joined to the first one with a twist.
   CHECK(BS::repair_soup({ points, { { 0, 1, 2 }, { 1, 2, 3 }, { 2, 3, 4 }, { 3, 4, 0 }, { 4, 0, 1 } } }, mesh, repairs,
                         offenders)
         == BS::Shell_status::NOT_ORIENTABLE);

@@ -1,5 +1,5 @@
-// Proxies of polygon soups: what is no surface gets a clean mesh that carries its attributes, and says what share of
-// it.
+// Proxies of polygon soups: a soup that is not a surface gets a clean mesh that carries its attributes. Reports contain
+// the carried share.
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/Soup/sample_soup_shares.h>
@@ -53,7 +53,7 @@ double distance(const Point_3& p, const Point_3& q)
   return std::sqrt(CGAL::squared_distance(p, q));
 }
 
-// two spheres of radius one that meet in a circle: Figure 16 of the paper
+// The centers of two spheres of radius one that meet in a circle: Figure 16 of the paper.
 const Point_3 left(-0.6, 0, 0), right(0.6, 0, 0);
 
 const Soup& two_spheres()
@@ -160,7 +160,7 @@ TEST_CASE("Soup proxy: what the spheres show is carried, and what one hides in t
 {
   const BS::Soup_proxy_3& proxy = proxy_of_spheres();
   const BS::Soup_shares shares = BS::sample_soup_shares(proxy.map());
-  // each sphere hides a cap of height 0.4 of the other
+  // Each sphere hides a cap of height 0.4 of the other one.
   CHECK(shares.hidden == Approx(0.2).margin(0.01));
   CHECK(shares.carried_of_visible() > 0.97);
   CHECK(shares.carried + shares.continued + shares.hidden == Approx(1));
@@ -219,7 +219,7 @@ TEST_CASE("Soup proxy: known attributes of vertices, facets and corners arrive o
   const BS::Transfer_report vertices = BS::transfer_vertex_attribute(map, value_of, scalars);
   CHECK(vertices.failures.empty());
   CHECK(vertices.continued.size() < mesh.number_of_vertices() / 50);
-  // the gradient is 3.2, and images are some offsets away at most
+  // The gradient is 3.2, and images are at most a few offsets away.
   for(auto v : mesh.vertices()) CHECK(std::abs(scalars[v] - linear(mesh.point(v))) < 3.3 * 8 * proxy.report().offset);
 
   const auto side_of = boost::make_function_property_map<Mesh::Face_index>(
@@ -240,7 +240,7 @@ TEST_CASE("Soup proxy: known attributes of vertices, facets and corners arrive o
   for(auto h : mesh.halfedges())
     CHECK(std::abs(corners[h] - linear(mesh.point(mesh.target(h)))) < 3.3 * 20 * proxy.report().offset);
 
-  // and from the proxy to the soup
+  // The way back, from the proxy to the soup.
   Mesh soup_copy = soup;
   BS::Soup_map_3<BS::Soup_proxy_3::Shell, Mesh> from_copy(proxy.shell(), soup_copy, mesh);
   Scalars back = soup_copy.add_property_map<Mesh::Vertex_index, double>("v:value", 1e9).first;
@@ -252,7 +252,7 @@ TEST_CASE("Soup proxy: known attributes of vertices, facets and corners arrive o
       CHECK(std::abs(back[v] - linear(p)) < 3.3 * 16 * proxy.report().offset);
   }
 
-  // vectors along the y-axis stay so where both surfaces contain them nearly
+  // Vectors along the y-axis are transferred with few failures.
   typedef CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3 Vector_3;
   const auto y_of = boost::make_function_property_map<Mesh::Face_index>(
     [&](Mesh::Face_index) { return Vector_3(0, 1, 0); });
@@ -285,7 +285,7 @@ TEST_CASE("Soup projection: the image is the outermost of the facets on the curv
   const Mesh ball = sphere(3);
   const auto shell = CGAL::certified_bspline_shell_3(ball, parameters::relative_thickness(0.2));
   REQUIRE(shell.is_certified());
-  // triangles across the shell's directions, some of them turned, in two layers and with gaps
+  // Triangles are across the curves of the shell, at different depths and with gaps; some are reversed.
   Soup soup;
   CGAL::Random random(11);
   for(int i = 0; i < 300; ++i) {
@@ -310,7 +310,7 @@ TEST_CASE("Soup projection: the image is the outermost of the facets on the curv
   for(auto v : ball.vertices()) {
     if(v % 4 != 0) continue;
     const Point_3 p = ball.point(v);
-    // a polygon along the curve, from outside
+    // a polyline along the curve, beginning outside
     std::vector<Point_3> curve;
     const int parts = 100;
     for(int i = parts; i >= 0; --i) {
@@ -371,10 +371,10 @@ TEST_CASE("Soup proxy: a cube with a facet missing is wrapped inside and outside
   Mesh cube = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   Soup soup;
   soup.add(cube);
-  soup.polygons.resize(10); // of twelve
+  soup.polygons.resize(10); // the cube has twelve facets
   const BS::Soup_proxy_3 proxy = CGAL::certified_soup_proxy_3(soup.points, soup.polygons, parameters::alpha(0.1));
   REQUIRE(proxy.is_certified());
-  // inside of the cube
+  // Some vertices of the proxy are inside the cube.
   bool is_entered = false;
   for(auto v : proxy.mesh().vertices()) {
     const Point_3 p = proxy.mesh().point(v);
@@ -384,7 +384,7 @@ TEST_CASE("Soup proxy: a cube with a facet missing is wrapped inside and outside
   CHECK(is_entered);
   const BS::Soup_shares shares = BS::sample_soup_shares(proxy.map());
   CHECK(shares.hidden < 0.02);
-  // all of the soup gets something from the proxy, most of it continued, as both sides are
+  // Every vertex of the soup has an image on the proxy.
   for(auto v : proxy.soup().mesh().vertices()) CHECK(proxy.map()(v));
 }
 

@@ -1,5 +1,5 @@
-// Bernstein_bounds.h: every function within its radius is enclosed, in exact arithmetic, also at the ends of the
-// radius, where all roundings and displacements add up.
+// Bernstein_bounds.h: every function within the radius is enclosed, in exact arithmetic. This includes functions at the
+// ends of the radius, where all roundings and displacements add up.
 #include "exact_spline.h"
 
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
@@ -34,7 +34,7 @@ Exact_coefficients exact_coefficients(const Enclosed_tricubic& f)
   return b;
 }
 
-// the function within the radius whose coefficients are moved to its ends, by signs
+// Returns the function whose coefficients are moved to the ends of the radius, by signs.
 template <typename Sign>
 Exact_coefficients moved(const Enclosed_tricubic& f, const Sign& sign)
 {
@@ -48,13 +48,13 @@ bool contains(const Level_range& r, const Rational& x)
   return Rational(r.min) <= x && x <= Rational(r.max);
 }
 
-// with all bits at random: a random number has 32
+// Returns a number with all bits random; one random number has only 32.
 double random_number(CGAL::Random& random, double least, double most)
 {
   return random.get_double(least, most) + std::ldexp(random.get_double(0, most - least), -31);
 }
 
-// sizes between 1 and 2^-spread, of both signs
+// Returns a function with coefficients of both signs, of sizes between 1 and 2^-spread.
 Enclosed_tricubic random_function(CGAL::Random& random, int spread, double radius = 0)
 {
   Enclosed_tricubic f;
@@ -84,13 +84,13 @@ Exact_point combined(const std::vector<Point>& corners, const std::vector<Ration
   return p;
 }
 
-// of a tensor product, for an axis and a place along it
+// Returns the index of the n-th coefficient along an axis.
 int along(int n, int axis)
 {
   return axis == 0 ? n % 4 : axis == 1 ? n / 4 % 4 : n / 16;
 }
 
-// the derivative along an axis, per unit of the cell, raised to degree three
+// Returns the derivative along an axis, per unit of the cell, elevated to degree three.
 Exact_coefficients derivative(const Exact_coefficients& b, int axis)
 {
   const int stride = axis == 0 ? 1 : axis == 1 ? 4 : 16;
@@ -98,7 +98,8 @@ Exact_coefficients derivative(const Exact_coefficients& b, int axis)
   for(int n = 0; n < 64; ++n) {
     const int i = along(n, axis);
     const Rational* row = &b[n - i * stride];
-    // the coefficients of degree two are 3 (b1 - b0), ...; raised, i/3 of the one before and 1 - i/3 of the one at i
+    // The coefficients of degree two are 3 (b1 - b0), .... After elevation, the i-th one is i/3 of the previous one
+    // plus 1 - i/3 of the one at i.
     const Rational before = i > 0 ? Rational(row[i * stride] - row[(i - 1) * stride]) : Rational(0),
                    after = i < 3 ? Rational(row[(i + 1) * stride] - row[i * stride]) : Rational(0);
     d[n] = i * before + (3 - i) * after;
@@ -162,7 +163,7 @@ TEST_CASE(
         if(i + j == 3) CHECK(contains(on_segment, bernstein_value(b, combined({ p, q }, { u, v }))));
       }
   }
-  // the extremes are those of a corner, so that nothing hides its roundings
+  // The extrema are at a corner, so nothing hides the roundings there.
   for(int n = 0; n < 200; ++n) {
     Enclosed_tricubic f;
     for(int m = 0; m < 64; ++m)
@@ -187,7 +188,7 @@ TEST_CASE("Bounds: on forms, functions at both ends of the radius are enclosed")
     CHECK(r.min <= 0.75);
     CHECK(r.max >= 1.25);
   }
-  // beyond the cell a polynomial may grow by far more than its coefficients
+  // Beyond the cell, a polynomial may grow far more than its coefficients.
   for(const Point& t : { Point{ 2, 2, 2 }, Point{ 2, 0.5, 0.5 }, Point{ 0.5, -1, 0.5 }, Point{ 0.5, 0.5, 3 },
                          Point{ -0.5, 1.5, 0.5 } }) {
     std::array<Rational, 64> weight;
@@ -209,7 +210,7 @@ TEST_CASE("Bounds: on forms, functions at both ends of the radius are enclosed")
 TEST_CASE("Bounds: corners that are off by the shift are enclosed, where the function is steep along all axes at once")
 {
   const double shift = std::ldexp(1., -40);
-  // nothing but one coefficient at the corner: the derivatives there are three along each axis
+  // Only the coefficient at the corner is nonzero. The derivatives there are three along each axis.
   for(int corner : { 0, 3, 12, 48, 63 })
     for(double sign : { 1., -1. }) {
       Enclosed_tricubic f = constant(0);
@@ -235,7 +236,7 @@ TEST_CASE(
     for(int octant = 0; octant < 8; ++octant) {
       const Enclosed_tricubic g = BS::restrict_to_octant(f, octant);
       for(int sign : { 1, -1 }) {
-        // de Casteljau, one axis after the other
+        // de Casteljau's algorithm, one axis after the other
         Exact_coefficients b = moved(f, [&](int) { return sign; });
         for(int axis = 0, stride = 1; axis < 3; ++axis, stride *= 4)
           for(int m = 0; m < 64; ++m) {

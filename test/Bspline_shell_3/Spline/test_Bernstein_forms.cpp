@@ -1,6 +1,6 @@
-// A tricubic on a segment or a triangle in its cell, as a Bernstein form of degree nine. Polynomials of degree nine
-// that agree at ten points of a segment, or at the 55 points (i, j, k) / 9 of a triangle, are the same: done with
-// rationals, the comparisons at these points are proofs.
+// A tricubic on a segment or a triangle in its cell, as a Bernstein form of degree nine. Polynomials of degree nine are
+// equal if they agree at ten points of a segment, or at the 55 points (i, j, k) / 9 of a triangle. With rational
+// numbers, comparisons at these points are proofs.
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_forms.h>
 
 #include <CGAL/Exact_rational.h>
@@ -30,7 +30,7 @@ Rational power(const Rational& x, int n)
   return r;
 }
 
-// the definition: sum of c(i, j, k) B_i(x) B_j(y) B_k(z)
+// The definition: the sum of c(i, j, k) B_i(x) B_j(y) B_k(z).
 Rational tricubic(const Coefficients& c, const Exact_point& p)
 {
   const int binomial[4] = { 1, 3, 3, 1 };
@@ -52,7 +52,7 @@ NT de_casteljau(std::array<NT, size> b, const NT& t)
   return b[0];
 }
 
-// by decreasing exponent of the first corner, then of the second
+// Returns the position in the order of decreasing exponents of the first corner, then of the second.
 std::size_t position(int degree, int i, int j)
 {
   std::size_t n = 0;
@@ -101,7 +101,7 @@ Coefficients unit_coefficients(int n)
   return c;
 }
 
-// level_bounds.h relies on this for its allowance
+// The allowance in level_bounds.h relies on this constant.
 const double rounding = 26 * std::numeric_limits<double>::epsilon();
 
 } // namespace
@@ -111,7 +111,7 @@ TEST_CASE("Bernstein forms: on a segment the form is the tricubic")
   CGAL::Random random(1);
   for(int n = 0; n < 5; ++n) {
     const Coefficients c = random_coefficients(random);
-    // the last ones leave the cell, where the form must still be the tricubic
+    // The last segments leave the cell, where the form must still equal the tricubic.
     const Exact_point p = as<Rational>(random_point(random));
     Exact_point q = as<Rational>(random_point(random));
     if(n > 2) q[n - 3] += 2;
@@ -152,9 +152,9 @@ TEST_CASE("Bernstein forms: on a triangle the form is the tricubic")
 
 TEST_CASE("Bernstein forms: coefficients come by decreasing exponent of the first corner, then of the second")
 {
-  // the function x has the coefficients i/3, and on a triangle the averages of its corners' x
+  // The function x has the coefficients i/3. On a triangle, its coefficients are weighted means of x at the corners.
   Coefficients c;
-  for(int n = 0; n < 64; ++n) c[n] = n % 4 * 3; // 9 x, to have integers
+  for(int n = 0; n < 64; ++n) c[n] = n % 4 * 3; // 9 x has integer coefficients
   const Exact_point p = { Rational(1) / 2, Rational(0), Rational(1) },
                     q = { Rational(1) / 8, Rational(1), Rational(0) },
                     r = { Rational(1), Rational(1) / 3, Rational(1) };
@@ -185,13 +185,13 @@ TEST_CASE("Bernstein forms: the sides of a triangle's form are the forms of its 
 
 TEST_CASE("Bernstein forms: every coefficient is a convex combination of the cell's")
 {
-  // the form is linear in the cell's coefficients: its weights are the forms of the 64 unit vectors
+  // The form is linear in the coefficients of the cell; its weights are the forms of the 64 unit vectors.
   CGAL::Random random(4);
   Exact_point p = as<Rational>(random_point(random)), q = as<Rational>(random_point(random)),
               r = as<Rational>(random_point(random));
   p[0] = 0;
   q[1] = 1;
-  r = { Rational(1), Rational(0), Rational(1) }; // also on the cell's boundary
+  r = { Rational(1), Rational(0), Rational(1) }; // also on the boundary of the cell
   std::array<Rational, 10> segment_sum;
   std::array<Rational, 55> triangle_sum;
   segment_sum.fill(Rational(0));
@@ -216,7 +216,7 @@ TEST_CASE("Bernstein forms: doubles are off by less than 26 eps of the largest c
   for(int n = 0; n < 10; ++n) {
     Coefficients c = random_coefficients(random);
     if(n % 2)
-      for(double& x : c) x += 1000; // where absolute errors are largest
+      for(double& x : c) x += 1000; // large values have large absolute errors
     double largest = 0;
     for(double x : c) largest = (std::max)(largest, std::abs(x));
     const Point p = random_point(random), q = random_point(random), r = random_point(random);
@@ -236,7 +236,7 @@ TEST_CASE("Bernstein forms: doubles are off by less than 26 eps of the largest c
       CHECK(std::abs(CGAL::to_double(Rational(Rational(rounded) - exact))) <= rounding * largest);
       CHECK(Rational(enclosure.inf()) <= exact);
       CHECK(Rational(enclosure.sup()) >= exact);
-      CHECK(enclosure.sup() - enclosure.inf() <= 4 * rounding * largest); // and is of use
+      CHECK(enclosure.sup() - enclosure.inf() <= 4 * rounding * largest); // narrow enough to be useful
     };
     for(int m = 0; m < 10; ++m) check(s[m], sd[m], si[m]);
     for(int m = 0; m < 55; ++m) check(t[m], td[m], ti[m]);

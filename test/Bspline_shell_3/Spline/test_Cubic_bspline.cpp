@@ -1,5 +1,5 @@
-// The univariate cubic B-spline: all that is said of it is an identity of polynomials with rational coefficients, and
-// is tested in exact arithmetic. Two cubics that agree at the 17 points k/16 are the same cubic.
+// The univariate cubic B-spline: all properties are identities of polynomials with rational coefficients, and are
+// tested in exact arithmetic. Two cubics that agree at the 17 points k/16 are equal.
 #include <CGAL/Bspline_shell_3/Spline/Cubic_bspline.h>
 #include "exact_spline.h"
 
@@ -26,7 +26,7 @@ Rational sixteenths(int k)
   return Rational(k) / 16;
 }
 
-// coefficients of a spline that are no multiples of each other
+// Coefficients of a spline that are not multiples of each other.
 const Weights some_coefficients = { Rational(7) / 3, Rational(-11) / 5, Rational(13) / 2, Rational(1) / 17 };
 
 } // namespace
@@ -45,7 +45,7 @@ TEST_CASE("B-splines: values and derivatives on a cell are those of Eq. 3.1, cen
 
 TEST_CASE("B-splines: the four functions sum to one and their derivatives to zero")
 {
-  for(int k = -16; k <= 32; ++k) // the pieces also do where they are continued beyond the cell
+  for(int k = -16; k <= 32; ++k) // also where the pieces are continued beyond the cell
     for(int order = 0; order < 3; ++order) {
       const Weights w = basis(order, sixteenths(k));
       CHECK(w[0] + w[1] + w[2] + w[3] == (order == 0 ? 1 : 0));
@@ -60,7 +60,7 @@ TEST_CASE("B-splines: on the cell no function is negative")
 
 TEST_CASE("B-splines: derivatives are the limits of difference quotients")
 {
-  // these five-point formulas are exact for polynomials of degree four and five: no limit is needed
+  // These five-point formulas are exact for polynomials of degree four and five, so no limit is needed.
   for(const Rational& h : { Rational(1), Rational(1, 7) })
     for(int k = 0; k <= 16; ++k) {
       const Rational t = sixteenths(k);
@@ -80,13 +80,13 @@ TEST_CASE("B-splines: value, first and second derivative continue across a knot"
     const Weights left = basis(order, Rational(1)), right = basis(order, Rational(0));
     CHECK(left[0] == 0); // this function ends here
     for(int n = 0; n < 3; ++n) CHECK(left[n + 1] == right[n]);
-    CHECK(right[3] == 0); // and this one begins
+    CHECK(right[3] == 0); // this one begins here
   }
 }
 
 TEST_CASE("B-splines: polynomials to degree three are splines")
 {
-  // the coefficient at knot g is the polar form at (g-1, g, g+1)
+  // The coefficient at knot g is the polar form at (g-1, g, g+1).
   const auto coefficient = [](int degree, const Rational& g) {
     return degree == 0   ? Rational(1)
            : degree == 1 ? g
@@ -138,7 +138,7 @@ TEST_CASE("B-splines: the Bernstein form is the same cubic")
 TEST_CASE("B-splines: doubles are rounded rationals, intervals contain them")
 {
   typedef CGAL::Interval_nt<false> Interval;
-  // at most eight roundings of terms that are nowhere larger than 4
+  // At most eight roundings of terms that are at most 4.
   const double tolerance = 8 * 4 * std::numeric_limits<double>::epsilon() / 2;
   for(int n = 0; n <= 100; ++n) {
     const double t = n / 100.;

@@ -1,5 +1,5 @@
-// critical_values.h: what is said of critical points holds in exact arithmetic for every function within the radius,
-// and is sharp where functions are quadratic, whatever their axes.
+// critical_values.h: bounds at critical points hold in exact arithmetic for every function within the radius. They are
+// sharp for quadratic functions, whatever their axes.
 #include "exact_spline.h"
 
 #include <CGAL/Bspline_shell_3/Spline/critical_values.h>
@@ -26,7 +26,7 @@ typedef std::array<Rational, 64> Exact_coefficients;
 
 double random_number(CGAL::Random& random, double least, double most)
 {
-  return random.get_double(least, most) + std::ldexp(random.get_double(0, most - least), -31); // all bits
+  return random.get_double(least, most) + std::ldexp(random.get_double(0, most - least), -31); // all bits are random
 }
 
 Point random_point(CGAL::Random& random, double least, double most)
@@ -42,7 +42,7 @@ Enclosed_tricubic random_function(CGAL::Random& random, int spread, double radiu
   return f;
 }
 
-// a function within the radius, at its ends
+// Returns a function at the ends of the radius.
 Exact_coefficients random_member(CGAL::Random& random, const Enclosed_tricubic& f)
 {
   Exact_coefficients b;
@@ -50,7 +50,7 @@ Exact_coefficients random_member(CGAL::Random& random, const Enclosed_tricubic& 
   return b;
 }
 
-// u^T H u / 2 + constant with u = x - center, as coefficients: those of t^2 are 0, 0, 1/3, 1
+// Returns the coefficients of u^T H u / 2 + constant with u = x - center; those of t^2 are 0, 0, 1/3, 1.
 Enclosed_tricubic quadratic(const double (&H)[3][3], const Point& center, double constant)
 {
   Enclosed_tricubic f;
@@ -98,12 +98,12 @@ TEST_CASE(
     CHECK(truth <= Rational(found.range().max));
     close += found.radius < 1e-12 * far;
   }
-  CHECK(close > 100); // the radius is that of roundings
+  CHECK(close > 100); // the radius covers roundings only
 }
 
 TEST_CASE("Values at critical points: terms that cancel leave their roundings, also where little else is left")
 {
-  // x - y, and a little more, about a point far away on the diagonal
+  // The function is close to x - y; the center is far away on the diagonal.
   CGAL::Random random(5);
   for(int n = 0; n < 200; ++n) {
     Enclosed_tricubic f, none = {};
@@ -144,7 +144,7 @@ TEST_CASE(
     CHECK(values.max < 0.7 + 1e-13);
     CHECK(values.min < 0.7);
     CHECK(values.max > 0.7);
-    // it is damped: some percent of its distance from the middle
+    // The center is damped: it is off by a few percent of its distance from the middle.
     const Critical_center found = BS::critical_center(f);
     for(int a = 0; a < 3; ++a) CHECK(std::abs(found.point[a] - c[a]) < 0.15);
     CHECK(std::abs(found.value - 0.7) < 0.05);
@@ -157,7 +157,7 @@ TEST_CASE(
 
 TEST_CASE("Values at critical points: across a wall of any direction they are those in its middle")
 {
-  // (n . (x - m))^2 has critical points on all of a plane: f - 0.3 vanishes there, and nowhere else
+  // f = (n . (x - m))^2 + 0.3 has critical points on a whole plane, where its value is 0.3, and no others.
   CGAL::Random random(3);
   for(int k = 0; k < 200; ++k) {
     Point n = random_point(random, -1, 1);
@@ -181,7 +181,7 @@ TEST_CASE("Values at critical points: across a wall of any direction they are th
 TEST_CASE("Values at critical points: with a third derivative, those across a wall are bounded from the side of the "
           "middle nearly exactly")
 {
-  // z^2 - 0.2 z^3 - 0.1 on [0, 1]: its only critical point on the box has the value -0.1
+  // z^2 - 0.2 z^3 - 0.1 on [0, 1]: critical points in the box are at z = 0, with the value -0.1
   Enclosed_tricubic f;
   for(int n = 0; n < 64; ++n) f.coefficients[n] = -0.1 + (n / 16 == 2 ? 1. / 3 : n / 16 == 3 ? 0.8 : 0);
   const Level_range values = BS::critical_values(f);
@@ -193,7 +193,7 @@ TEST_CASE("Values at critical points: with a third derivative, those across a wa
 
 TEST_CASE("Values at critical points: a slope along a wall is told")
 {
-  // z^2 + s x: no critical point; the slope that is left is s, relative to a curvature of 2
+  // z^2 + s x has no critical point. The remaining slope is s, relative to a curvature of 2.
   for(double s : { 0.1, 0.4, 1. }) {
     Enclosed_tricubic f;
     for(int n = 0; n < 64; ++n) f.coefficients[n] = s * (n % 4) / 3. + (n / 16 < 2 ? 0 : n / 16 == 2 ? 1. / 3 : 1);
@@ -219,7 +219,7 @@ TEST_CASE("Values at critical points: what is no number, or overflows, says noth
   unknown.radius = infinity;
   CHECK(says_nothing(BS::values_at_critical_points(f, unknown, { 0.5, 0.5, 0.5 }).range()));
   CHECK(says_nothing(BS::values_at_critical_points(unknown, f, { 0.5, 0.5, 0.5 }).range()));
-  // differences that overflow
+  // Differences overflow.
   Enclosed_tricubic large = f;
   for(std::size_t n = 0; n < 64; ++n) large.coefficients[n] = n % 2 ? 1.7e308 : -1.7e308;
   CHECK(says_nothing(BS::values_at_critical_points(f, large, { 0.5, 0.5, 0.5 }).range()));

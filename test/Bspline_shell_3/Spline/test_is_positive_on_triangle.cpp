@@ -1,4 +1,4 @@
-// is_positive_on_triangle.h: thresholds in closed form, the least value of random forms, and numbers that are none.
+// is_positive_on_triangle.h: thresholds in closed form, least values of random forms, and values that are not finite.
 #include <CGAL/Bspline_shell_3/Spline/is_positive_on_triangle.h>
 
 #include <CGAL/Random.h>
@@ -17,8 +17,8 @@ namespace {
 typedef std::array<double, 3> Numbers;
 using CGAL::Bspline_shells::is_positive_on_triangle;
 
-// of sum l_i g_i - sum l_i l_j q_ij / 2: at the corners, or where its derivative along an edge or in the triangle
-// vanishes
+// Returns the least value of sum l_i g_i - sum l_i l_j q_ij / 2. It is attained at a corner, or where the derivative
+// along an edge or in the triangle is zero.
 double least_value(const Numbers& g, const Numbers& q)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -30,13 +30,13 @@ double least_value(const Numbers& g, const Numbers& q)
   visit(1, 0, 0);
   visit(0, 1, 0);
   visit(0, 0, 1);
-  // t (1-t) q / 2 against a line
+  // the extremum of a linear function minus t (1-t) q / 2
   const auto on_edge = [](double from, double to, double q) { return 0.5 - (to - from) / q; };
   const double t0 = on_edge(g[1], g[2], q[0]), t1 = on_edge(g[2], g[0], q[1]), t2 = on_edge(g[0], g[1], q[2]);
   visit(0, 1 - t0, t0);
   visit(t1, 0, 1 - t1);
   visit(1 - t2, t2, 0);
-  // both derivatives of the quadratic in the first two coordinates
+  // the zero of both derivatives in the first two coordinates
   const double xx = q[1], yy = q[0], xy = (q[0] + q[1] - q[2]) / 2, x = g[2] - g[0] + q[1] / 2,
                y = g[2] - g[1] + q[0] / 2;
   const double determinant = xx * yy - xy * xy, u = (x * yy - y * xy) / determinant,
@@ -59,7 +59,7 @@ TEST_CASE(
       CHECK(is_positive_on_triangle({ 2, 2, 2 }, q));
       q[v] = 16 + hair;
       CHECK_FALSE(is_positive_on_triangle({ 2, 2, 2 }, q));
-      // 2 (sqrt(1) + sqrt(9))^2
+      // The bound on an edge is 2 (sqrt(1) + sqrt(9))^2 = 32.
       Numbers g = { 1, 1, 1 };
       g[(v + 1) % 3] = 9;
       q[v] = 32 - hair;
@@ -68,7 +68,7 @@ TEST_CASE(
       CHECK_FALSE(is_positive_on_triangle(g, q));
     }
   }
-  // a low corner, and a steep rise from it
+  // One corner is low, with a steep rise from it.
   CHECK(is_positive_on_triangle({ 1e-9, 1, 1 }, { 0, 1.9, 1.9 }));
   CHECK_FALSE(is_positive_on_triangle({ 1e-9, 1, 1 }, { 0, 2.1, 1.9 }));
 }

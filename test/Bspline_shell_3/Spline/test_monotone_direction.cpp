@@ -1,4 +1,4 @@
-// monotone_direction.h: a function that is said to increase along a direction does so, as steeply as is said.
+// monotone_direction.h: a function that is reported as increasing along a direction does so, as steeply as reported.
 #include <CGAL/Bspline_shell_3/Spline/monotone_direction.h>
 
 #include <CGAL/Exact_rational.h>
@@ -15,7 +15,7 @@ namespace {
 
 namespace BS = CGAL::Bspline_shells;
 
-// slopes . x, in Bernstein coefficients, which may be off by a radius
+// Returns slopes . x in Bernstein coefficients, with a radius.
 BS::Enclosed_tricubic linear(const std::array<double, 3>& slopes, double radius)
 {
   BS::Enclosed_tricubic f;
@@ -25,7 +25,7 @@ BS::Enclosed_tricubic linear(const std::array<double, 3>& slopes, double radius)
   return f;
 }
 
-// whether it increases by more than `steepest` per unit of length along the direction that is returned
+// Returns whether the function increases by more than `steepest` per unit of length along the computed direction.
 bool is_monotone(const BS::Enclosed_tricubic& f, double steepest)
 {
   std::array<double, 3> direction;
@@ -36,7 +36,7 @@ bool is_monotone(const BS::Enclosed_tricubic& f, double steepest)
 
 TEST_CASE("Monotone direction: a linear function increases as far as its coefficients are known")
 {
-  // a difference of two coefficients, which are a third apart, is known up to twice their radius
+  // A difference of two coefficients, 1/3 apart, is known up to twice their radius.
   for(int axis = 0; axis < 3; ++axis)
     for(double sign : { -1., 1. }) {
       std::array<double, 3> slopes = { 0, 0, 0 };
@@ -52,7 +52,7 @@ TEST_CASE("Monotone direction: it is at least as steep as is asked for, wherever
   CHECK_FALSE(is_monotone(linear({ 1, 0, 0 }, 0.05), 0.71));
   CHECK(is_monotone(linear({ 3, 4, 0 }, 0), 4.99));
   CHECK_FALSE(is_monotone(linear({ 3, 4, 0 }, 0), 5.01));
-  // as steep as asked for is not steeper
+  // The comparison is strict.
   CHECK_FALSE(is_monotone(linear({ 1, 0, 0 }, 0), 1));
 }
 

@@ -1,4 +1,4 @@
-// Invalid_parameter.h: bounds, and the sentence that names a parameter and the values that are allowed.
+// Invalid_parameter.h: bounds, and messages with the name of a parameter and its permitted values.
 #include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 

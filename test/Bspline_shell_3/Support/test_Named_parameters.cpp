@@ -1,4 +1,4 @@
-// Named_parameters.h: this package's parameters and CGAL's make one sequence, whichever comes first.
+// Named_parameters.h: the package's parameters and CGAL's can be combined in any order.
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 
 #include <catch2/catch.hpp>
@@ -42,7 +42,7 @@ TEST_CASE("Named parameters: what CGAL calls by the same name is the same parame
   const auto own = P::allow_self_intersections(true);
   CHECK(choose_parameter(get_parameter(np, CGAL::internal_np::allow_self_intersections), false));
   CHECK(choose_parameter(get_parameter(own, CGAL::internal_np::allow_self_intersections), false));
-  // CGAL 6 calls it time_limit(), too
+  // In CGAL 6, this parameter is also called time_limit().
   const auto limited = CGAL::parameters::maximum_running_time(5.);
   CHECK(choose_parameter(get_parameter(limited, CGAL::internal_np::maximum_running_time), 0.) == 5.);
   CHECK(choose_parameter(get_parameter(P::time_limit(5.), CGAL::internal_np::maximum_running_time), 0.) == 5.);

@@ -1,4 +1,4 @@
-// Run.h: runs end at their first poll after a limit or a visitor says so, and leave nothing behind.
+// Run.h: runs end at their first poll after a limit was reached or a visitor canceled, and leave no state behind.
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
@@ -23,7 +23,7 @@ namespace {
 constexpr double forever = std::numeric_limits<double>::infinity();
 const auto reason = [](End end) { return end; };
 
-// polls so many times
+// Polls the given number of times.
 End poll(Run& run, int times)
 {
   return run(
@@ -118,7 +118,7 @@ TEST_CASE("Runs: chunks that begin after the end are left out, with any number o
   CHECK(chunks_until(CGAL::Sequential_tag(), 7) == 7);
   CHECK(chunks_until(CGAL::Sequential_tag(), 100) == 100);
   CHECK(chunks_until(CGAL::Parallel_if_available_tag(), 100) == 100);
-  // all threads see the limit
+  // All threads respect the limit.
   std::atomic<int> done(0);
   Run late(0);
   const End end = late(
@@ -144,7 +144,7 @@ TEST_CASE("Runs: the visitor is called by the thread that began the run alone, a
     [&] {
       BS::internal::for_each_chunk<CGAL::Parallel_if_available_tag>(1000, 1, [&](std::size_t, std::size_t) {
         if(Run::current() != &run) ++strangers;
-        // in chunks of chunks, too
+        // also in nested chunks
         BS::internal::for_each_chunk<CGAL::Parallel_if_available_tag>(4, 1, [&](std::size_t, std::size_t) {
           if(Run::current() != &run) ++strangers;
         });

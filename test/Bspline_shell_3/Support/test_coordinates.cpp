@@ -1,4 +1,4 @@
-// coordinates.h: numbers of all kinds are rounded to the nearest double, whatever their history.
+// coordinates.h: numbers of all kinds are rounded to the nearest double, however they were computed.
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

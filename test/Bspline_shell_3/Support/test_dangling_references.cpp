@@ -1,4 +1,4 @@
-// Objects that keep a reference to their argument do not accept temporaries, which would be gone when they are used.
+// Objects that keep a reference to an argument do not accept temporaries, which would not live long enough.
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
@@ -29,7 +29,7 @@ typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef BS::Spline_threshold<Field> Threshold;
 typedef CGAL::Bspline_shell_3<Field, Threshold> Shell;
 
-// whether an object is made of a constant or variable `Argument` and others, but not of one that is a temporary
+// Returns whether an object can be constructed from an lvalue `Argument` and others, but not from a temporary.
 template <typename Object, typename Argument, typename... Others>
 constexpr bool refuses_temporaries()
 {

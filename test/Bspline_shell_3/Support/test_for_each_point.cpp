@@ -1,4 +1,4 @@
-// for_each_point.h: all points, each once.
+// for_each_point.h: each point is visited once.
 #include <CGAL/Bspline_shell_3/Support/for_each_point.h>
 
 #include <CGAL/Random.h>

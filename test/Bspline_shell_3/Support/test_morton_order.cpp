@@ -1,4 +1,4 @@
-// morton_order.h: the order of interleaved bits, whatever the number of threads.
+// morton_order.h: the order of interleaved bits, for any number of threads.
 #include <CGAL/Bspline_shell_3/Support/morton_order.h>
 
 #include <CGAL/Random.h>
@@ -28,7 +28,7 @@ std::vector<std::size_t> order(const std::vector<Point>& points)
   return numbers;
 }
 
-// bit by bit
+// Returns the interleaved bits of three numbers.
 std::uint64_t interleaved(const std::array<unsigned int, 3>& x)
 {
   std::uint64_t code = 0;
@@ -58,7 +58,7 @@ TEST_CASE("Morton order: codes bit by bit, with the same points by their numbers
     }
   }
   std::sort(expected.begin(), expected.end());
-  // the first five bits of a place in the box are those of the number
+  // The first five bits of the relative position in the box are those of the number.
   for(Point& p : points)
     for(double& x : p) x = 1e6 + x / 8;
   const std::vector<std::size_t> found = order<CGAL::Sequential_tag>(points);

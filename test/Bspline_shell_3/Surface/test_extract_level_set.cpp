@@ -47,8 +47,8 @@ typedef CGAL::Bspline_shells::Lattice_3 Lattice;
 
 const double pi = 3.14159265358979323846;
 
-// the cells with corners from -size to size, in numbers of cells, around the center; `coefficient` is a function of the
-// lattice point, relative to the center
+// Returns a field on the cells with corners from -size to size, in cells, around the center. `coefficient` is a
+// function of the lattice point, relative to the center.
 template <typename Coefficient>
 Field make_field(int size, double width, const Coefficient& coefficient, const Point_3& center = CGAL::ORIGIN)
 {
@@ -69,15 +69,15 @@ Field make_field(int size, double width, const Coefficient& coefficient, const P
   return field;
 }
 
-// |x|^2, which cubic splines reproduce
+// Returns |x|^2, which cubic splines reproduce.
 Field squared_norm(int size, double width, const Point_3& center = CGAL::ORIGIN)
 {
   return make_field(
     size, width, [width](const Vector_3& g) { return g.squared_length() - width * width; }, center);
 }
 
-// The same cells, some of them split, up to a number of levels; `coefficient` is a function of the point and the width
-// of cells of its level.
+// Returns a field on the same cells, some of them split, with the given number of levels. `coefficient` is a function
+// of the point, and of the width of cells of its level.
 template <typename Coefficient>
 Hierarchical_field make_hierarchical_field(unsigned seed, int size, double width, int levels,
                                            const Coefficient& coefficient)
@@ -107,7 +107,7 @@ Hierarchical_field hierarchical_squared_norm(unsigned seed, int size, double wid
                                  [](const Vector_3& g, double h) { return g.squared_length() - h * h; });
 }
 
-// a field whose polynomials are off by up to a given error, in every cell another one
+// A field whose polynomials have errors up to a given bound, different in every cell.
 template <typename Field>
 class Rough_field
 {
@@ -170,7 +170,7 @@ double largest_error(const TriangleMesh& mesh, const Field& field, double level)
   return largest;
 }
 
-// the least cosine of the angle between a facet's normal and the gradient at its center
+// Returns the least cosine of the angle between a facet's normal and the gradient at its center.
 template <typename TriangleMesh, typename Field>
 double least_cosine(const TriangleMesh& mesh, const Field& field)
 {
@@ -262,7 +262,7 @@ TEST_CASE("Level set: one that runs into the end of the cells is refused, and th
     CHECK(mesh.number_of_vertices() == 1);
     CHECK(mesh.number_of_faces() == 0);
   }
-  // a cap of the sphere sticks out
+  // A cap of the sphere is outside the cells.
   CHECK(extract_level_set(squared_norm(3, 0.5), 2.3, mesh) == Level_set_status::LEVEL_SET_LEAVES_CELLS);
 }
 
@@ -279,7 +279,7 @@ TEST_CASE("Level set: a level that the field does not take has none")
 
 TEST_CASE("Level set: a level that the field has at corners of cells changes nothing")
 {
-  // 3 |x|^2 with cells of size one: all values at corners are integers, and exact
+  // 3 |x|^2 on cells of width one: all values at corners are integers, and exact
   const Field field = make_field(6, 1, [](const Vector_3& g) { return 3 * g.squared_length() - 3; });
   REQUIRE(field.cell(field.locate(Point_3(2, 2, 1))).value(Point_3(2, 2, 1)) == 27);
   for(int ratio : { 1, 2, 3 })
@@ -294,7 +294,8 @@ TEST_CASE("Level set: a level that the field has at corners of cells changes not
       CHECK(largest_error(mesh, field, 3 * squared_radius) < 1e-9);
       CHECK_FALSE(PMP::does_self_intersect(mesh));
     }
-  // at the minimum, a corner, nothing is below the level; slightly above it, the set lies around a single corner
+  // At the minimum, which is at a corner, no value is below the level. Slightly above it, the set encloses a single
+  // corner.
   Mesh mesh;
   CHECK(extract_level_set(field, 0, mesh) == Level_set_status::LEVEL_SET_EMPTY);
   CHECK(extract_level_set(field, 1e-9, mesh) == Level_set_status::SUCCESS);
@@ -306,7 +307,8 @@ TEST_CASE("Level set: of a field without any order it is still a closed manifold
   for(unsigned seed = 0; seed < 8; ++seed) {
     std::mt19937 random(seed);
     std::uniform_int_distribution<int> any(-3, 3);
-    // large at the end of the cells; multiples of 216 make all values at corners exact, and many of them equal
+    // The field is large at the end of the cells. Multiples of 216 make all values at corners exact, and many of them
+    // equal.
     const Field field = make_field(5, 1, [&](const Vector_3& g) {
       const double m = (std::max)({ std::abs(g.x()), std::abs(g.y()), std::abs(g.z()) });
       return m > 3 ? 216. * 4 : 216. * any(random);
@@ -329,7 +331,7 @@ TEST_CASE("Level set: of a field without any order it is still a closed manifold
 
 TEST_CASE("Level set: cells that disagree on their common faces do not tear it")
 {
-  // whatever the error radius is, what neighbors know of the field is consistent with it and with nothing else
+  // Adjacent cells are consistent only within the error radius, whatever its size.
   const Field field = squared_norm(6, 0.25);
   for(double error : { 1e-15, 1e-6, 1e-2, 0.2 })
     for(int ratio : { 1, 2, 3 }) {
@@ -349,10 +351,10 @@ TEST_CASE("Level set: across cells of different sizes it is closed, and on the l
 {
   for(unsigned seed = 0; seed < 6; ++seed) {
     const int levels = 2 + int(seed) % 3;
-    // with level changes at the sphere: cells of two sizes pass it
+    // Levels change at the sphere, so it crosses cells of two sizes.
     const Hierarchical_field field = hierarchical_squared_norm(seed, levels < 4 ? 10 : 14, 0.25, levels);
     REQUIRE(*field.value(Point_3(0.3, 0.4, 1.2)) == Approx(1.69));
-    for(double level : { 1.21, 1., 1.5625, 2.1 }) // some through corners of cells
+    for(double level : { 1.21, 1., 1.5625, 2.1 }) // some pass through corners of cells
       for(int ratio : { 1, 2, 3 }) {
         CAPTURE(seed, level, ratio);
         Mesh mesh;
@@ -374,7 +376,7 @@ TEST_CASE("Level set: of a field without any order, on cells of different sizes,
   for(unsigned seed = 0; seed < 12; ++seed) {
     std::mt19937 random(seed);
     std::uniform_int_distribution<int> any(-3, 3);
-    // large at the end of the cells, so that it does not leave them
+    // The field is large at the end of the cells, so level sets do not leave them.
     const Hierarchical_field field = make_hierarchical_field(
       seed, 6, 1, 2 + int(seed) % 2, [&](const Vector_3& g, double) {
         const double m = (std::max)({ std::abs(g.x()), std::abs(g.y()), std::abs(g.z()) });
@@ -431,7 +433,7 @@ TEST_CASE("Level set: on cells of different sizes, selected cells must hold all 
       least += std::pow((std::max)({ 0., (box.min)(a), -(box.max)(a) }), 2);
       most += std::pow((std::max)(std::abs((box.min)(a)), std::abs((box.max)(a))), 2);
     }
-    if(least > 0.9 || most < 1.1) continue; // the sphere does not go through the middle of it
+    if(least > 0.9 || most < 1.1) continue; // the sphere does not cross the middle of the cell
     ++all;
     if(all % 40 != 0 && c != last) continue;
     refused += extract_level_set(field, 0.98, mesh, CGAL::parameters::filter([c](auto other) { return other != c; }))
@@ -492,7 +494,7 @@ TEST_CASE("Level set: selected cells pick one of two spheres, and must hold all 
   CHECK(2 * left.number_of_faces() == both.number_of_faces());
   for(auto v : left.vertices()) CHECK(left.point(v).x() < 0);
 
-  // the cells of the left one and some of the other
+  // all cells of the left surface, and some of the other one
   const auto most = [&](Field::Cell_index c) { return is_left[c] || is_low[c]; };
   namespace P = CGAL::Bspline_shells::parameters;
   Mesh closed;
@@ -506,14 +508,14 @@ TEST_CASE("Level set: selected cells pick one of two spheres, and must hold all 
   Mesh low;
   CHECK(extract_level_set(field, 0, low,
                           P::filter([&](Field::Cell_index c) { return is_low[c] != 0; }).skip_open_components(true))
-        == Level_set_status::LEVEL_SET_LEAVES_CELLS); // all of it is open
+        == Level_set_status::LEVEL_SET_LEAVES_CELLS); // all components are open
   CHECK(extract_level_set(field, 0, low, CGAL::parameters::filter([&](Field::Cell_index c) { return is_low[c] != 0; }))
         == Level_set_status::LEVEL_SET_LEAVES_CELLS);
   CHECK(low.is_empty());
   CHECK(extract_level_set(field, 0, low, CGAL::parameters::filter([](Field::Cell_index) { return false; }))
         == Level_set_status::LEVEL_SET_EMPTY);
 
-  // a second one is added to the first
+  // A second level set is added to the first one.
   REQUIRE(extract_level_set(field, 0.1, left) == Level_set_status::SUCCESS);
   check_closed_manifold(left);
   CHECK(euler_characteristic(left) == 6);

@@ -39,7 +39,7 @@ typedef BS::Shell_certificate_3<Field> Certificate;
 using BS::Level_set_status;
 using BS::extract_shell_surface;
 
-// its Euler characteristic
+// Checks that a mesh is a closed manifold, and returns its Euler characteristic.
 int check_closed_manifold(const Mesh& mesh)
 {
   CHECK(CGAL::is_valid_polygon_mesh(mesh));
@@ -51,7 +51,8 @@ int check_closed_manifold(const Mesh& mesh)
   return int(mesh.number_of_vertices()) - int(mesh.number_of_edges()) + int(mesh.number_of_faces());
 }
 
-// the volumes inside both surfaces, which are closed, on their thresholds, and of the mesh's Euler characteristic
+// Checks that both surfaces are closed, on their thresholds, and have the given Euler characteristic. Returns the
+// volumes inside.
 template <typename Shell>
 std::array<double, 2> check_surfaces(const Shell& shell, int euler_characteristic)
 {
@@ -72,8 +73,8 @@ std::array<double, 2> check_surfaces(const Shell& shell, int euler_characteristi
   return volumes;
 }
 
-// About -8 (r - 0.7)^2 in spherical coordinates. Both sides of its ridge pass the levels, and cells are wider than the
-// gap between both shells. The ridge of the spline is at 0.693.
+// The field is close to -8 (r - 0.7)^2 in spherical coordinates. The levels occur on both sides of its ridge, and cells
+// are wider than the gap between both shells. The ridge of the spline is at 0.693.
 const double ridge = 0.693;
 constexpr BS::Level_range levels{ -0.36, -0.062 };
 
@@ -119,8 +120,8 @@ Certificate certificate_of(const Mesh& mesh)
   return certificate;
 }
 
-// The boxes of the cover of a certificate, without those beyond the ridge. Boxes that touch there join both shells in
-// the cover, but each of them is on one side, or excluded.
+// Returns the boxes of a certificate's cover, without those beyond the ridge. Boxes that touch at the ridge join both
+// shells in the cover, but each of them is on one side, or excluded.
 std::vector<BS::Cover_box> boxes_within_ridge(const Certificate& certificate)
 {
   std::vector<BS::Cover_box> boxes = certificate.cover()->boxes();
@@ -132,7 +133,7 @@ std::vector<BS::Cover_box> boxes_within_ridge(const Certificate& certificate)
   return boxes;
 }
 
-// the shell of a certificate's mesh, with these boxes
+// Returns the shell of a certificate's mesh, with the given boxes.
 Shell shell_of(const Certificate& certificate, const std::vector<BS::Cover_box>& boxes, bool has_cover = true)
 {
   std::vector<char> cells(two_shells().number_of_cells(), 0);
@@ -190,7 +191,7 @@ TEST_CASE("Surfaces of a shell: parts of the level set in the same cells are lef
 {
   const Certificate certificate = certificate_of(small_sphere());
   const Shell shell = shell_of(certificate, boxes_within_ridge(certificate));
-  // cells alone do not separate the surfaces
+  // Cells alone do not separate the surfaces.
   Mesh surface;
   const auto is_in_shell = [&](Field::Cell_index c) { return shell.shell_cells()[c] != 0; };
   CHECK(BS::extract_level_set(two_shells(), levels.max, surface, BS::parameters::filter(is_in_shell))
@@ -217,7 +218,7 @@ TEST_CASE("Surfaces of a shell: parts of the level set in the same component of 
   CHECK(check_closed_manifold(surface) == 2);
   CHECK(is_small(surface));
 
-  // but not those of other components of the mesh
+  // Surfaces at other components of the mesh are not left out.
   const Shell shell_of_both = shell_of(certificate_of(both_spheres()), cover);
   surface.clear();
   REQUIRE(extract_shell_surface(shell_of_both, shell.outer_threshold(), surface) == Level_set_status::SUCCESS);

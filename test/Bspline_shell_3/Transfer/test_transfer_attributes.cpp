@@ -1,5 +1,6 @@
-// transfer_vertex_attribute.h, transfer_face_labels.h, transfer_tangent_vectors.h, Barycentric_interpolation.h: what
-// arrives is what the source has where the curve meets it, and what cannot arrive is left as it was, with a reason.
+// transfer_vertex_attribute.h, transfer_face_labels.h, transfer_tangent_vectors.h, Barycentric_interpolation.h: values
+// are those of the source where the curve meets it. If there is no such value, the target is unchanged, and the reason
+// is reported.
 #include "flat_and_round_maps.h"
 
 #include <CGAL/Bspline_shell_3/Transfer/transfer_face_labels.h>
@@ -28,7 +29,7 @@ typedef Polynomial_map Map;
 typedef Mesh::Vertex_index Vertex;
 typedef Mesh::Face_index Face;
 
-// images are within 2e-9, and what is linear is off by as much as that times its slope
+// Images are exact up to 2e-9; linear functions are off by at most that times their slope.
 const double tolerance = 1e-8;
 
 template <typename Simplex, typename Value>
@@ -139,7 +140,7 @@ TEST_CASE("Transfer: linear functions are reproduced, both ways, and what is not
   CHECK(report.transferred == b.number_of_vertices());
   for(auto v : b.vertices()) CHECK(on_b[v] == Approx(linear(b.point(v))).margin(6 * tolerance));
 
-  // back, to vertices of which some are beyond the smaller sheet
+  // Transfer back to vertices, some of which are beyond the smaller sheet.
   const double before = -1000;
   auto again = map_of<Vertex, double>(a, "v:again", before);
   report = BS::transfer_vertex_attribute(map.inverse(), on_b, again);
@@ -174,9 +175,10 @@ TEST_CASE("Transfer: between spheres, functions change by no more than the facet
   CHECK(BS::transfer_vertex_attribute(map, on_a, on_b));
   CHECK(BS::average_vertex_attribute(map, on_a, average));
   for(auto v : b.vertices()) {
-    // edges of a are 0.14 to 0.17 long in angle: sagitta 0.17^2 / 8 at most, a little more at facets' centers
+    // Edges of a span angles of 0.14 to 0.17. The sagitta is at most 0.17^2 / 8, and slightly more at centers of
+    // facets.
     CHECK(std::abs(on_b[v] - direction(b.point(v))) < 0.006);
-    // averages over stars of b, whose edges are twice as long
+    // Averages are over stars of b, whose edges are twice as long.
     CHECK(std::abs(average[v] - direction(b.point(v))) < 0.05);
   }
 }
@@ -205,7 +207,8 @@ TEST_CASE("Transfer: averages of a constant are that constant, whatever the numb
 
 TEST_CASE("Transfer: an average keeps what the values add up to, if each is spread over the area around it")
 {
-  // from a fine sheet to a coarse one in the same rectangle: sum of (value times area around a vertex)
+  // A fine sheet is averaged to a coarse one in the same rectangle. The sums of (value times area around a vertex) are
+  // compared.
   Mesh a = sheet(steps(-0.7, 0.7, 20), steps(-0.7, 0.7, 20), [](double, double) { return 0.1; }),
        b = sheet(steps(-0.7, 0.7, 3), steps(-0.7, 0.7, 2), tilt);
   const Map map(slab(), a, b);
@@ -218,7 +221,7 @@ TEST_CASE("Transfer: an average keeps what the values add up to, if each is spre
   for(auto v : a.vertices()) {
     d[v] = random.get_double(0, 1);
     const auto image = map.to_target()(a.point(v));
-    if(!image) continue; // of those on the border, by rounding
+    if(!image) continue; // some vertices on the border, by rounding
     sum += d[v] * area[v];
     const auto h = b.halfedge(image.location.first);
     const Vertex corners[3] = { b.source(h), b.target(h), b.target(b.next(h)) };
@@ -234,8 +237,8 @@ TEST_CASE("Transfer: functors interpolate and map values, and are told the diffe
   Mesh a = source_sheet(), b = tilted_sheet();
   const Map map(slab(), a, b);
   auto displacement = map_of<Vertex, Vector_3>(a, "v:d", Vector_3(1, 2, 0)), on_b = map_of<Vertex, Vector_3>(b, "v:d");
-  // the differential of the flow between levels of z is the identity: tangent vectors of levels are kept, and the
-  // vertical part is lost
+  // The differential of the flow between levels of z is the identity. Tangent vectors of levels are kept; the vertical
+  // part is lost.
   CHECK(BS::transfer_vertex_attribute(map, displacement, on_b, P::mapping(BS::Tangent_vector_mapping())));
   for(auto v : b.vertices()) CHECK((on_b[v] - Vector_3(1, 2, 0)).squared_length() < 1e-16);
   for(auto v : a.vertices()) displacement[v] = Vector_3(1, 2, 7);
@@ -291,7 +294,7 @@ TEST_CASE("Transfer: labels of any kind arrive unchanged under the identity")
 
 TEST_CASE("Transfer: a facet gets the label that most of it has")
 {
-  // strips along x with borders at 0.1 and 0.3; one facet of the target after another lies across them
+  // The source has strips along x with borders at 0.1 and 0.3. Each target is a single facet across them.
   Mesh a = sheet({ -0.8, 0.1, 0.3, 0.8 }, { -0.8, 0.8 }, [](double, double) { return 0.; });
   auto label = map_of<Face, int>(a, "f:l");
   const auto strip = [](double x) { return x < 0.1 ? 0 : x < 0.3 ? 1 : 2; };
@@ -310,7 +313,7 @@ TEST_CASE("Transfer: a facet gets the label that most of it has")
     const Map map(slab(), a, b);
     REQUIRE(BS::transfer_face_labels(map, label, found, P::samples_per_facet(std::size_t(400))));
     REQUIRE(BS::transfer_face_labels(map, label, at_centroid, P::samples_per_facet(std::size_t(1))));
-    // shares of the area by other samples, many more
+    // Shares of the area are computed by many other samples.
     double share[3] = { 0, 0, 0 };
     const int parts = 200;
     for(int i = 0; i < parts; ++i)
@@ -321,7 +324,7 @@ TEST_CASE("Transfer: a facet gets the label that most of it has")
     const Face f(0);
     CHECK(at_centroid[f] == strip(centroid(b, f).x()));
     const int most = int(std::max_element(share, share + 3) - share);
-    bool clear = true; // not within what 400 samples can tell: rows of 20 along a border
+    bool clear = true; // false if shares are too close for 400 samples: rows of 20 along a border
     for(int l = 0; l < 3; ++l) clear = clear && (l == most || share[most] - share[l] > 0.1);
     if(clear) {
       CHECK(found[f] == most);
@@ -333,7 +336,7 @@ TEST_CASE("Transfer: a facet gets the label that most of it has")
 
 TEST_CASE("Transfer: tangent vectors go to those of the target: homotheties, tilted planes")
 {
-  // concentric spheres with the same facets: all is stretched by the ratio of the radii
+  // Concentric spheres have the same facets, so vectors are stretched by the ratio of the radii.
   Mesh a = sphere(2, 0.7), b = sphere(2, 0.85);
   const Map map(ball(), a, b);
   auto v = map_of<Face, Vector_3>(a, "f:v"), image = map_of<Face, Vector_3>(b, "f:v"),
@@ -355,7 +358,7 @@ TEST_CASE("Transfer: tangent vectors go to those of the target: homotheties, til
     }
   }
 
-  // over a tilted plane: the same x and y
+  // Over a tilted plane, x and y are kept.
   Mesh flat = source_sheet(), tilted = tilted_sheet();
   auto w = map_of<Face, Vector_3>(flat, "f:w", Vector_3(2, -1, 0)), w2 = map_of<Face, Vector_3>(tilted, "f:w");
   CHECK(BS::transfer_tangent_vectors(Map(slab(), flat, tilted), w, w2));
@@ -367,7 +370,7 @@ TEST_CASE("Transfer: tangent vectors go to those of the target: homotheties, til
 
 TEST_CASE("Transfer: of a cross that is sheared, the cross that fits best arrives")
 {
-  // to the plane z = slope x: with u along the slope and v across, (x, y) goes to (stretch x, y)
+  // The target is the plane z = slope x, with u along the slope and v across it. (x, y) is mapped to (stretch x, y).
   const double slope = 0.6, stretch = std::sqrt(1 + slope * slope);
   Mesh a = source_sheet(),
        b = sheet(steps(-0.7, 0.65, 3), steps(-0.6, 0.7, 2), [=](double x, double) { return slope * x; });
@@ -379,7 +382,8 @@ TEST_CASE("Transfer: of a cross that is sheared, the cross that fits best arrive
       const double angle = 2 * CGAL_PI * n / 24 + 0.01, length = 0.5;
       for(auto f : a.faces()) from[f] = length * Vector_3(std::cos(angle), std::sin(angle), 0);
       CHECK(BS::transfer_tangent_vectors(map, from, to, P::symmetry(symmetry)));
-      // by search: the direction next to the image of the first whose N-th power is nearest to those of the images
+      // By search: among directions near the image of the first one, the one whose N-th power is closest to those of
+      // all images.
       const auto sheared = [&](double alpha) {
         return std::complex<double>(stretch * std::cos(alpha), std::sin(alpha));
       };
@@ -399,7 +403,7 @@ TEST_CASE("Transfer: of a cross that is sheared, the cross that fits best arrive
       }
       const Vector_3 expected = std::pow(product, 1. / symmetry) * (std::cos(best) * u + std::sin(best) * v);
       INFO("symmetry " << symmetry << ", angle " << angle);
-      // the search's steps are 1.6e-4 and less
+      // The steps of the search are at most 1.6e-4.
       for(auto f : b.faces()) CHECK((to[f] - expected).squared_length() < 1e-6);
     }
 }
@@ -449,7 +453,7 @@ TEST_CASE("Transfer: what fails is named, and values there are left alone")
   CHECK(none.transferred == 0);
   for(const auto& failure : none.failures) CHECK(failure.second == Flow_status::STARTS_OUTSIDE);
 
-  // stopped by the visitor: what was done is there, the rest is not
+  // The visitor stops the transfer. Finished values are set, others are unchanged.
   struct Hasty
   {
     std::size_t calls = 0, done = 0;
@@ -477,7 +481,7 @@ TEST_CASE("Transfer: what fails is named, and values there are left alone")
 
 TEST_CASE("Transfer: over a hole, what fails is named and gets the value that the caller gives, or keeps its own")
 {
-  // a source with a hole in the middle, over which the target goes on
+  // The source has a hole in the middle; the target continues over it.
   Mesh a = source_sheet(), b = tilted_sheet();
   const std::vector<Face> facets(a.faces_begin(), a.faces_end());
   for(auto f : facets)
@@ -489,7 +493,7 @@ TEST_CASE("Transfer: over a hole, what fails is named and gets the value that th
   const BS::Projection_target_3<Mesh> source(a, a.points());
   const auto is_over_hole = [&](const Point_3& p) {
     for(BS::Projection_target_3<Mesh>::Index f = 0; f < source.number_of_facets(); ++f)
-      if(source.position(f, { p.x(), p.y(), 0 }).outside <= tolerance) return false; // some are over the border
+      if(source.position(f, { p.x(), p.y(), 0 }).outside <= tolerance) return false; // some points are over the border
     return true;
   };
   std::vector<std::pair<std::size_t, Flow_status> > no_vertices, no_facets;
@@ -523,7 +527,7 @@ TEST_CASE("Transfer: over a hole, what fails is named and gets the value that th
       kept[v] = set[v] = -7;
     }
   };
-  // a whole number for real ones
+  // The default is an integer, the values are real.
   check_vertices(BS::transfer_vertex_attribute(map, d, kept),
                  BS::transfer_vertex_attribute(map, d, set, P::default_value(-1)));
   const auto twice = [](double value, const BS::Flow_differential&) { return value; };
@@ -551,8 +555,8 @@ TEST_CASE("Transfer: over a hole, what fails is named and gets the value that th
     CHECK_FALSE(w_set[f] == Vector_3(-7, -7, -7));
   }
 
-  // Averages go the other way: vertices of the source over a hole of the target are left out and named, and vertices of
-  // the target that nothing arrives at, nor is pulled back from, have no value.
+  // Averages go the other way. Vertices of the source over a hole of the target are left out, and reported. Vertices of
+  // the target get no value if nothing arrives at them, and nothing can be pulled back.
   auto back = map_of<Vertex, double>(b, "v:back", 1.), average = map_of<Vertex, double>(a, "v:average", -7.);
   const BS::Transfer_report report = BS::average_vertex_attribute(map.inverse(), back, average, P::default_value(-1));
   CHECK(report.left_out == no_vertices);

@@ -1,5 +1,5 @@
-// transfer_corner_attribute.h: texture coordinates arrive as they are, and no facet is spread over the texture because
-// it lies across a seam.
+// transfer_corner_attribute.h: texture coordinates are unchanged, and facets across a seam are not spread over the
+// texture.
 #include "flat_and_round_maps.h"
 #include "meshes_in_shell.h"
 
@@ -31,7 +31,7 @@ double distance(const Point_2& p, const Point_2& q)
   return std::sqrt(CGAL::squared_distance(p, q));
 }
 
-// for each corner, by the point and that of the facet's centroid
+// Sets the value at each corner, a function of its point and of the centroid of its facet.
 template <typename Function>
 void set_texture(const Mesh& mesh, Texture texture, const Function& uv)
 {
@@ -40,13 +40,13 @@ void set_texture(const Mesh& mesh, Texture texture, const Function& uv)
       texture[h] = uv(mesh.point(mesh.target(h)), centroid(mesh, f));
 }
 
-// flat, with a jump at x = 1/8
+// Planar coordinates with a jump at x = 1/8.
 Point_2 cut_sheet(const Point_3& p, const Point_3& center)
 {
   return Point_2(p.x() + (center.x() < 0.125 ? 0 : 10), 2 * p.y());
 }
 
-// around the z-axis from 0 to 1, cut where y = 0 and x < 0, and at each facet on one side of the cut
+// Coordinates from 0 to 1 around the z-axis, cut where y = 0 and x < 0. Each facet is on one side of the cut.
 Point_2 around(const Point_3& p, const Point_3& center)
 {
   double u = std::atan2(p.y(), p.x()) / (2 * CGAL_PI);
@@ -72,8 +72,8 @@ TEST_CASE("Texture coordinates: under the identity they arrive unchanged, on clo
     CHECK(report.facets_across_seams.empty());
     for(auto h : mesh.halfedges()) CHECK(distance(before[h], after[h]) < 1e-12);
 
-    // with vertices moved within the shell, edges stay as long as they were, up to the displacement: 1 % of the box, a
-    // tenth of an edge
+    // If vertices are moved within the shell, the lengths of edges change by the displacement at most: 1 % of the box,
+    // a tenth of an edge.
     Mesh moved = certified_mesh_in_shell(shell, mesh);
     Texture on_moved = texture_of(moved, "h:moved");
     CHECK(BS::transfer_corner_attribute(BS::Shell_map_3<CGAL::Certified_bspline_shell_3, Mesh>(shell, mesh, moved),
@@ -84,16 +84,16 @@ TEST_CASE("Texture coordinates: under the identity they arrive unchanged, on clo
 
 TEST_CASE("Texture coordinates: a facet across a seam gets one side of it, and is named")
 {
-  // vertices and edges of the source are on the seam, in steps of 1/8
+  // Vertices and edges of the source are on the seam; steps are 1/8.
   Mesh a = sheet(steps(-0.75, 0.75, 12), steps(-0.8, 0.8, 7), [](double, double) { return 0.; });
   Texture on_a = texture_of(a, "h:uv");
   set_texture(a, on_a, cut_sheet);
   for(int number : { 3, 10, 12, 37 }) {
-    // also facets far larger and far smaller than those of the source, and with 12, vertices and edges over those of
-    // the source
+    // Facets of the target can be far larger or far smaller than those of the source. With 12 steps, its vertices and
+    // edges are over those of the source.
     Mesh b = sheet(steps(-0.75, 0.75, number), steps(-0.7, 0.6, number),
                    [](double x, double y) { return 0.2 + 0.2 * x - 0.3 * y; });
-    for(auto v : b.vertices()) // inside
+    for(auto v : b.vertices()) // moved inside
       if(b.is_border(v)) b.point(v) = Point_3(0.999 * b.point(v).x(), b.point(v).y(), b.point(v).z());
     Texture on_b = texture_of(b, "h:uv");
     const BS::Transfer_report report = BS::transfer_corner_attribute(Polynomial_map(slab(), a, b), on_a, on_b);
@@ -106,7 +106,7 @@ TEST_CASE("Texture coordinates: a facet across a seam gets one side of it, and i
       const double near = 1e-6;
       if(least < 0.125 - near && largest > 0.125 + near) CHECK(named.count(std::size_t(f)) == 1);
       if(largest < 0.125 + 1e-12 || least > 0.125 - 1e-12) CHECK(named.count(std::size_t(f)) == 0);
-      // linear on both sides, so that what is extrapolated is exact
+      // The function is linear on both sides, so extrapolation is exact.
       for(auto h : b.halfedges_around_face(b.halfedge(f)))
         CHECK(distance(on_b[h], cut_sheet(b.point(b.target(h)), centroid(b, f))) < 1e-7);
     }
@@ -125,18 +125,18 @@ TEST_CASE("Texture coordinates: around a ball, no edge goes round the wrong way"
     CHECK(report);
     std::size_t checked = 0;
     for(auto f : b.faces()) {
-      bool at_pole = false; // where longitudes mean little
+      bool at_pole = false; // longitudes are unreliable there
       for(auto v : b.vertices_around_face(b.halfedge(f))) at_pole = at_pole || std::abs(b.point(v).z()) > 0.6;
       if(at_pole) continue;
       for(auto h : b.halfedges_around_face(b.halfedge(f))) {
         Point_2 expected = around(b.point(b.target(h)), centroid(b, f));
         expected = Point_2(expected.x(), expected.y() * 0.75 / (subdivisions == 1 ? 0.9 : 0.85));
-        // whole turns are the choice of the side; the rest is chords for arcs, and what is extrapolated up to an edge
-        // of b beyond the seam
+        // Whole turns depend on the chosen side. The remaining error is due to chords instead of arcs, and to
+        // extrapolation up to an edge of b beyond the seam.
         const double turns = std::nearbyint(on_b[h].x() - expected.x());
         CHECK(std::abs(on_b[h].x() - turns - expected.x()) < (subdivisions == 1 ? 0.05 : 0.01));
         CHECK(std::abs(on_b[h].y() - expected.y()) < (subdivisions == 1 ? 0.1 : 0.02));
-        // and all corners of a facet are on the same side
+        // All corners of a facet are on the same side.
         CHECK(std::abs(on_b[h].x() - on_b[b.next(h)].x()) < (subdivisions == 1 ? 0.25 : 0.12));
         ++checked;
       }
@@ -168,7 +168,7 @@ TEST_CASE("Texture coordinates: what fails is named, and corners there are left 
   }
   CHECK(report.transferred + failed.size() == b.number_of_faces());
 
-  // or they get the caller's value, at all of their corners
+  // With a default value, all corners of failed facets get it.
   Texture set = texture_of(b, "h:set");
   CHECK(
     BS::transfer_corner_attribute(Polynomial_map(slab(), a, b), on_a, set, P::default_value(Point_2(-1, -1))).failures
@@ -186,7 +186,7 @@ TEST_CASE("Texture coordinates: what fails is named, and corners there are left 
   CHECK(report.transferred == 0);
   CHECK(report.failures.size() == b.number_of_faces());
   CHECK(report.failures[0].second == BS::Flow_status::INVALID_MESH);
-  // also the four corners of a facet that is no triangle
+  // This includes the four corners of a facet that is not a triangle.
   report = BS::transfer_corner_attribute(Polynomial_map(slab(), b, quads), set, on_quads,
                                          P::default_value(Point_2(-2, -2)));
   CHECK(report.failures.size() == quads.number_of_faces());

@@ -1,5 +1,5 @@
-// transfer_tangent_vectors.h between meshes of different resolution: means and interpolation are what they say, and
-// singularities stay where they are.
+// transfer_tangent_vectors.h between meshes of different resolution: means and interpolation are correct, and
+// singularities keep their places.
 #include "flat_and_round_maps.h"
 
 #include <CGAL/Bspline_shell_3/Transfer/transfer_tangent_vectors.h>
@@ -42,7 +42,7 @@ Vector_3 in_plane(const Vector_3& v, const Vector_3& normal)
   return v - (v * normal) / normal.squared_length() * normal;
 }
 
-// at centroids
+// Returns the field at centroids.
 Mesh::Property_map<Face, Vector_3> sampled(Mesh& mesh, const Field& field, const std::string& name)
 {
   auto result = at_facets(mesh, name);
@@ -50,7 +50,7 @@ Mesh::Property_map<Face, Vector_3> sampled(Mesh& mesh, const Field& field, const
   return result;
 }
 
-// of two symmetric directions, in degrees
+// Returns the angle between two symmetric directions, in degrees.
 double angle_between(const Vector_3& u, const Vector_3& v, const Vector_3& normal, int symmetry)
 {
   const double step = 360. / symmetry,
@@ -73,9 +73,8 @@ double mean_angle(
   return sum / double(number);
 }
 
-// How often the field turns around a vertex, in turns by 2 pi / symmetry: vectors are carried from facet to facet
-// across edges, the facets being unfolded; what they turn in all, and the angle that is missing at the vertex, are a
-// multiple of that.
+// Returns the index of the field at a vertex, in turns by 2 pi / symmetry. Vectors are carried across edges from facet
+// to unfolded facet. Their total turn plus the angle defect at the vertex is a multiple of that turn.
 int index_at(const Mesh& mesh, Vertex v, const Mesh::Property_map<Face, Vector_3>& vectors, int symmetry)
 {
   const double step = 2 * CGAL_PI / symmetry;
@@ -88,14 +87,14 @@ int index_at(const Mesh& mesh, Vertex v, const Mesh::Property_map<Face, Vector_3
       const Vector_3 n = normal(mesh, f);
       return std::atan2(CGAL::cross_product(edge, vectors[f]) * n / std::sqrt(n.squared_length()), edge * vectors[f]);
     };
-    // counterclockwise, the facet of h ends at this edge
+    // Counterclockwise, the facet of h ends at this edge.
     const double change = angle(mesh.face(mesh.opposite(h))) - angle(mesh.face(h));
     turn += change - step * std::round(change / step);
   }
   return int(std::lround((turn + 2 * CGAL_PI - angles) / step));
 }
 
-// where the index is not zero, and what it is
+// Returns the vertices with nonzero index, and their indices.
 std::vector<std::pair<Point_3, int> > singularities(const Mesh& mesh, const Mesh::Property_map<Face, Vector_3>& vectors,
                                                     int symmetry)
 {
@@ -105,7 +104,7 @@ std::vector<std::pair<Point_3, int> > singularities(const Mesh& mesh, const Mesh
   return result;
 }
 
-// the sum of indices near a direction from the origin; 30 degrees
+// Returns the sum of indices within 30 degrees of a direction from the origin.
 int index_near(const std::vector<std::pair<Point_3, int> >& all, const Vector_3& direction)
 {
   int sum = 0;
@@ -122,14 +121,15 @@ Vector_3 around_z(const Point_3& p)
   return Vector_3(-p.y() / r, p.x() / r, 0);
 }
 
-// one direction of the cross along the edges of a cube around the origin: its corners have index 1/4
+// Returns one direction of the cross along the edges of a cube around the origin. The corners of the cube have index
+// 1/4.
 Vector_3 along_cube(const Point_3& p)
 {
   const double x = std::abs(p.x()), y = std::abs(p.y()), z = std::abs(p.z());
   return x >= y && x >= z ? Vector_3(0, 1, 0) : Vector_3(1, 0, 0);
 }
 
-// the same direction in another way, at some facets
+// Replaces the vectors of some facets by other representatives of the same symmetric direction.
 void turn_some(const Mesh& mesh, Mesh::Property_map<Face, Vector_3>& vectors, int symmetry)
 {
   for(Face f : mesh.faces()) {
@@ -145,7 +145,7 @@ void turn_some(const Mesh& mesh, Mesh::Property_map<Face, Vector_3>& vectors, in
 
 TEST_CASE("Tangent vectors: the mean over a facet is that of what it covers")
 {
-  // each facet of the target covers 16 of the source, whose centroids are the samples
+  // Each facet of the target covers 16 facets of the source; their centroids are the samples.
   Mesh coarse = sheet(steps(-0.6, 0.6, 2), steps(-0.6, 0.6, 2), [](double, double) { return 0.4; }),
        fine = sheet(steps(-0.6, 0.6, 8), steps(-0.6, 0.6, 8), [](double, double) { return 0.; });
   CGAL::Random random(3);
@@ -210,10 +210,10 @@ TEST_CASE("Tangent vectors at vertices: a linear field on a plane is interpolate
                       [](double x, double y) { return 0.2 + 0.3 * x - 0.25 * y; });
   const auto linear = [](double x, double y) { return Vector_3(1 + x - 2 * y, 0.5 * x + y - 2, 0); };
   auto v = at_vertices(flat, "v"), w = at_vertices(tilted, "w");
-  // what is along the normal is lost
+  // The normal component is lost.
   for(Vertex a : flat.vertices()) v[a] = linear(flat.point(a).x(), flat.point(a).y()) + Vector_3(0, 0, 5);
   CHECK(BS::transfer_vertex_tangent_vectors(Map(slab(), flat, tilted), v, w));
-  // images are tangent to the level sets of z, whatever the target's facets are
+  // Images are tangent to the level sets of z, whatever the facets of the target.
   for(Vertex b : tilted.vertices())
     CHECK((w[b] - linear(tilted.point(b).x(), tilted.point(b).y())).squared_length() < 1e-20);
 }
@@ -235,7 +235,7 @@ TEST_CASE("Tangent vectors at vertices: crosses on spheres converge with the squ
       double most = 0;
       for(Vertex p : b.vertices()) {
         const Vector_3 n = b.point(p) - CGAL::ORIGIN, expected = field(b.point(p));
-        if(expected.squared_length() < 0.1) continue; // near the two places where the field vanishes
+        if(expected.squared_length() < 0.1) continue; // close to the two zeros of the field
         CHECK(std::abs(w[p] * n) < 1e-9);
         most = (std::max)(most, angle_between(w[p], expected, n, symmetry));
       }
@@ -307,7 +307,7 @@ TEST_CASE("Tangent vectors: a field without singularities on a torus has none on
   Mesh fine = torus(1, 0.4, 48, 24), coarse = fine;
   const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3(fine, P::relative_thickness(0.05));
   REQUIRE(shell.is_certified());
-  // so many that a cross turns by less than half of its 90 degrees on each
+  // The number of facets is so large that a cross turns by less than half of its 90 degrees on each.
   REQUIRE(BS::simplify_in_shell(coarse, shell, P::stop(BS::Facet_count_stop_predicate(1000))));
   coarse.collect_garbage();
   typedef BS::Shell_map_3<CGAL::Certified_bspline_shell_3, Mesh> Shell_map;
@@ -328,7 +328,7 @@ TEST_CASE("Tangent vectors: what does not arrive is named, and the number of thr
   auto v = sampled(fine, around_z, "v"), one = at_facets(coarse, "one"), two = at_facets(coarse, "two"),
        none = at_facets(outside, "none");
   const Map map(ball(), fine, coarse);
-  // up to the next square
+  // The number of samples is rounded up to a square.
   const auto np = P::symmetry(4).samples_per_facet(std::size_t(5)).linear_reconstruction(true);
   CHECK(BS::transfer_tangent_vectors<CGAL::Sequential_tag>(map, v, one, np));
   CHECK(BS::transfer_tangent_vectors<CGAL::Parallel_if_available_tag>(map, v, two, np));

@@ -1,5 +1,5 @@
-// Disc_search.h and Spherical_discs.h: all of many random cones that are singular get a disc, which is embedded and
-// leaves as much room as the edges that it cuts allow.
+// Disc_search.h and Spherical_discs.h: each of many random singular cones gets a disc. It is embedded, and its margin
+// is close to the bound by the edges that it cuts.
 #include <CGAL/Bspline_shell_3/Truncation/internal/Disc_search.h>
 #include <CGAL/Bspline_shell_3/Truncation/internal/Spherical_discs.h>
 #include "test_meshes.h"
@@ -18,7 +18,7 @@ namespace {
 namespace BS = CGAL::Bspline_shells;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-// A cone over a random closed spherical polygon, which is embedded and singular.
+// Returns a cone over a random closed spherical polygon that is embedded and singular.
 Mesh random_cone(std::mt19937& random)
 {
   std::normal_distribution<double> normal;
@@ -67,7 +67,7 @@ TEST_CASE("All of many random singular cones get an embedded disc with a margin"
     const BS::internal::Tip singular = tip(cone);
     const auto disc = BS::internal::Disc_search(singular)();
     REQUIRE(disc);
-    // no disc leaves more than the edges do
+    // The edges bound the margin of every disc.
     CHECK(disc->margin <= singular.largest_margin() * (1 + 1e-6));
     CHECK(disc->margin > 0.3 * (std::min)(singular.largest_margin(), 0.35));
     CHECK(is_embedded(cone, singular, *disc));
@@ -85,7 +85,7 @@ TEST_CASE("Parts of the sphere replace tips, too")
       disc.measure(singular, -1);
       if(!is_embedded(cone, singular, disc)) continue;
       ++found;
-      // facets meet the sphere at right angles
+      // Facets meet the sphere at right angles.
       const double m = singular.largest_margin();
       CHECK(disc.margin > 0.7 * m / std::sqrt(1 + m * m));
     }

@@ -1,5 +1,5 @@
-// truncate_mesh.h: singular vertices are replaced by discs that leave room, and intersect nothing; what cannot be
-// truncated is named, and what need not be is left alone.
+// truncate_mesh.h: singular vertices are replaced by discs with a margin, without intersections. Vertices that cannot
+// be truncated are reported; other vertices are unchanged.
 #include <CGAL/Bspline_shell_3/Truncation/truncate_mesh.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include "test_meshes.h"
@@ -40,7 +40,7 @@ std::shared_ptr<const BS::Shell_truncation_3> truncation(const BS::Input_mesh_3&
     mesh, [radius](const std::array<double, 3>&) { return radius; }, margin, report);
 }
 
-// The truncated mesh, after a check of all that is promised of it.
+// Returns the truncated mesh, after checks of its guarantees.
 Mesh truncated(const Mesh& mesh, double radius, double margin, BS::Truncation_report& report)
 {
   const BS::Input_mesh_3 checked = input(mesh);
@@ -64,7 +64,7 @@ Mesh truncated(const Mesh& mesh, double radius, double margin, BS::Truncation_re
     CHECK(v.radius > 0);
     CHECK(v.radius <= radius);
     CHECK(v.margin_after >= 2 * v.margin_before);
-    // the margins at the disc are what is said, and nothing is beyond the ball
+    // The margins at the disc are as reported.
     double least = 1;
     for(auto w : result.vertices()) {
       const double distance = std::sqrt(CGAL::squared_distance(center, result.point(w)));
@@ -131,7 +131,7 @@ TEST_CASE("A needle is truncated if a larger margin is asked for, and not otherw
 
 TEST_CASE("Folded edges are named, and left alone")
 {
-  // a blade: its two facets face away from each other by all but half a degree
+  // A blade: its two facets face opposite directions, up to half a degree.
   Mesh blade;
   const auto a = blade.add_vertex(Point_3(0, 0, 0)), b = blade.add_vertex(Point_3(1, 0, 0)),
              c = blade.add_vertex(Point_3(0.5, 1, 0.004)), d = blade.add_vertex(Point_3(0.5, 1, -0.004));
@@ -147,7 +147,7 @@ TEST_CASE("Folded edges are named, and left alone")
 
 TEST_CASE("Singular vertices on the border of an open mesh are named")
 {
-  // the screw without one of the squares at its singular vertex, closed by that square
+  // The screw lacks one of the facets at its singular vertex, and is closed by that facet.
   Mesh open = screw();
   const Point_3 corner(1, 1, 1);
   const auto v = *std::find_if(open.vertices().begin(), open.vertices().end(),
@@ -183,7 +183,7 @@ TEST_CASE("A vertex of large coordinates, near which rounding would decide, is n
 
 TEST_CASE("Other parts nearby make the ball smaller")
 {
-  // another component in the corner that the screw leaves open
+  // Another component is in the corner that the screw leaves open.
   Mesh mesh = screw();
   Mesh other = box(Point_3(1.02, 0.2, 0.2), Point_3(1.8, 0.98, 0.98));
   mesh += other;

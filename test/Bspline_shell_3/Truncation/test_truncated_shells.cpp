@@ -1,5 +1,5 @@
-// Shells of meshes with singular vertices: certified with tips replaced; certificates, maps, transfers, edits and files
-// take the mesh as it is.
+// Shells of meshes with singular vertices are certified with truncated tips. Certificates, maps, transfers, edits and
+// files accept the mesh itself.
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
@@ -62,7 +62,7 @@ const Mesh& simplified()
   return mesh;
 }
 
-// places in all facets, and many in those at the tip, more and more of them near it
+// Returns places in all facets, with many in the facets at the tip, increasingly close to it.
 std::vector<Map::Source_location> places(const Mesh& mesh)
 {
   std::vector<Map::Source_location> result;
@@ -109,7 +109,7 @@ TEST_CASE("A mesh with a singular vertex gets a certified shell")
   CHECK(certificate.verify(screw_mesh()));
   CHECK(certificate.verify<CGAL::Sequential_tag>(screw_mesh()));
   CHECK(certificate.examined_mesh().number_of_vertices() > screw_mesh().number_of_vertices());
-  // facets of discs count after those of the mesh
+  // Facets of discs count after those of the mesh.
   const std::size_t in_disc = shell.truncation()->discs()[0].triangles.size();
   CHECK(certificate.facets().size() == screw_mesh().number_of_faces() + in_disc);
   CHECK(shell.facet_ranges().size() == certificate.facets().size());
@@ -126,7 +126,7 @@ TEST_CASE("Without truncation, a singular vertex is refused, or not certified")
         == BS::Shell_status::INVALID_PARAMETER);
   CHECK(CGAL::certified_bspline_shell_3(screw_mesh(), parameters::least_cone_margin(1.)).status()
         == BS::Shell_status::INVALID_PARAMETER);
-  // the certificate of a shell that does not truncate it
+  // This certificate does not truncate the mesh.
   Certificate certificate(screw_shell().field(), screw_shell().inner_threshold(), screw_shell().outer_threshold());
   CHECK_FALSE(certificate.verify(screw_mesh()));
   CHECK(certificate.verdict(BS::Claim::TRANSVERSALITY) == BS::Verdict::REFUTED);
@@ -142,7 +142,7 @@ TEST_CASE("A truncated mesh with the tip somewhere else is not certified")
 
 TEST_CASE("A mesh with tips that intersects itself is not certified")
 {
-  // What is certified is the truncated mesh: a tip that another component pierces would go unnoticed.
+  // The certificate examines the truncated mesh, in which an intersection with the tip could go unnoticed.
   Mesh mesh = screw_mesh();
   Mesh needle = box(Point_3(0.9999, 0.9999, 0.9999), Point_3(1.0001, 1.0001, 1.0001));
   mesh += needle;
@@ -177,7 +177,7 @@ TEST_CASE("The mesh with its tips is mapped to a simplified one, and back")
                                                                Point_3(back.point[0], back.point[1], back.point[2]))));
   }
   CHECK(worst < 1e-9 * screw_shell().report().unit);
-  // many at once
+  // all locations at once
   const auto images = map.project(locations);
   for(std::size_t n = 0; n < locations.size(); n += 17) CHECK(images[n].location == map(locations[n]).location);
   const auto at_tip = map(tip(mesh));
@@ -187,8 +187,7 @@ TEST_CASE("The mesh with its tips is mapped to a simplified one, and back")
   CHECK(CGAL::squared_distance(Point_3(returned.point[0], returned.point[1], returned.point[2]), Point_3(1, 1, 1))
         < 1e-20);
 
-  // images of a disc around the tip do not fold: a circle around it is mapped to a simple curve around the image,
-  // without jumps
+  // A circle around the tip is mapped to a curve without jumps.
   worst = 0;
   for(auto f : mesh.faces_around_target(mesh.halfedge(tip(mesh)))) {
     const auto h = mesh.halfedge(f);
@@ -233,7 +232,7 @@ TEST_CASE("The differential of the map is that of differences, at the tip, too")
     const Eigen::Vector3d change = d.onto_plane(Eigen::Vector3d(normal[0], normal[1], normal[2]))
                                    * Eigen::Vector3d(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
     const Eigen::Vector3d expected = coordinates(moved_image.point) - coordinates(image.point);
-    // the map of the tip has kinks, which few of the short steps meet
+    // The map of the tip has kinks; few of the short steps cross one.
     if((change - expected).norm() <= 1e-3 * expected.norm() + 1e-10) ++tried;
     else --tried;
   }
@@ -286,7 +285,7 @@ TEST_CASE("A mesh with tips is simplified and remeshed in its shell")
     REQUIRE(result.images.size() == vertices);
     for(auto v : result.images) CHECK_FALSE(mesh.is_removed(v));
     REQUIRE(result.locations.size() == vertices);
-    // as the map finds them; vertices that are left are on edges, and so in one facet or another
+    // Locations agree with the map. Remaining vertices are on edges, and thus in any facet there.
     const Map map(shell, screw_mesh(), mesh);
     const double tolerance = 2 * map.to_target().tolerance();
     for(auto v : screw_mesh().vertices()) {
@@ -314,7 +313,7 @@ TEST_CASE("A mesh with tips is simplified and remeshed in its shell")
 TEST_CASE("A mesh that is refused after it was truncated is what it was")
 {
   Mesh mesh = screw_mesh();
-  // far from the tip, a vertex out of the shell
+  // A vertex far from the tip is moved out of the shell.
   const auto far = *std::find_if(mesh.vertices().begin(), mesh.vertices().end(),
                                  [&](auto v) { return mesh.point(v) == Point_3(0, 0, 0); });
   mesh.point(far) = Point_3(-1, -1, -1);
@@ -346,7 +345,7 @@ TEST_CASE("Shells with a truncation are written and read")
     std::stringstream again;
     REQUIRE(BS::write_shell(again, shell, format) == BS::Shell_file_status::SUCCESS);
     CHECK(again.str() == text);
-    // nothing that is cut off is taken for a shell
+    // A truncated file is never read as a shell.
     for(std::size_t length = text.size() - 2000; length < text.size(); length += 37) {
       std::stringstream part(text.substr(0, length));
       CHECK(BS::read_shell(part, shell) != BS::Shell_file_status::SUCCESS);
@@ -366,7 +365,7 @@ TEST_CASE("Truncated shells do not depend on the number of threads")
 
 TEST_CASE("An open mesh with a singular vertex is closed and truncated")
 {
-  // a square far from the tip is left out, and gets a cap
+  // A facet far from the tip is removed; the hole gets a cap.
   Mesh mesh = screw_mesh();
   for(auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);

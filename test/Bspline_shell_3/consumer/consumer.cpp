@@ -1,4 +1,4 @@
-// A program outside the project: the installed package is all that it knows. It prints all bits of its shells.
+// A program outside the project, which uses only the installed package. It prints all bits of its shells.
 #include <CGAL/bspline_shell_3.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
@@ -20,7 +20,7 @@ int main()
   CGAL::make_tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), mesh);
   std::cout << std::hexfloat;
 
-  // of CGAL, and used by the package too: its layout depends on NDEBUG
+  // The package also uses this class of CGAL, whose layout depends on NDEBUG.
   CGAL::Min_sphere_of_spheres_d<CGAL::Min_sphere_of_points_d_traits_3<Kernel, double> > ball(mesh.points().begin(),
                                                                                              mesh.points().end());
   std::cout << ball.radius() << "\n";

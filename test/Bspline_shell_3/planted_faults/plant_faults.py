@@ -1,26 +1,28 @@
 #!/usr/bin/env python3
-"""Plants each fault of a list into what proofs rest on, and tells which test sees it.
+"""Plants each fault of a list into code that proofs depend on, and prints which test detects it.
 
    plant_faults.py [--work FOLDER] [--jobs N] [--list FILE] [--part I/N] [--all] [--dry] [WORDS ...]
 
-With WORDS, only faults are run whose name or file contains one of them; with --part, only the I-th of N parts of these. The list (faults.txt
-beside this script) says how faults are written down. All of them are planted into a copy of the sources, in FOLDER (build/planted_faults),
-behind one switch that is read from the environment: each test is compiled once.
+With WORDS, only faults whose name or file contains one of these words are run; with --part, only the I-th of N parts of
+them. The list (faults.txt beside this script) explains its format. All faults are planted into a copy of the sources in
+FOLDER (build/planted_faults). A switch selects a fault from the environment, so that each test is compiled only once.
 
-First all tests must pass without a fault. Then each fault is switched on, and tests are run up to the first that fails; to end in any other
-way than it should, or not in time, is to fail. Faults of the package are left to the tests `proof_tests` of CMake: first the test that saw the
-fault last time, then the test file of the header, then the test files that include the header, then those that include a header that
-includes it, and so on, three times. With --all, all other tests follow. Faults of check_certificate are left to its own tests, small certificates
-first; the large ones follow with --all.
+First, all tests must pass without a fault. Then each fault is switched on, and tests are run until the first failure.
+Crashes and timeouts are failures. Faults of the package are tested by CMake's target `proof_tests`, in this order: the
+test that detected the fault last time; the test file of the header; test files that include the header; those that
+include it indirectly, up to three levels. With --all, all other tests follow. Faults of check_certificate are tested
+with small certificates; with --all, also with large ones.
 
-FOLDER keeps what was compiled and what was found, in found.json. A run that was cut off continues where it stopped: a fault is examined
-again if its text, or the code of its header or of the test file that saw it, has changed since; or if it was not seen, and any of its test
-files has changed, or --all asks for more tests.
+FOLDER keeps the build, and the results in found.json. An interrupted run can be resumed. A fault is examined again if
+its text, the code of its header, or the test file that detected it has changed. An undetected fault is examined again
+if any of its test files has changed, or if --all requests more tests.
 
-Exit code 0 if every fault is seen, but those that the list argues to change no answer; 1 if others survive, or one of these is seen; 2 if the
-list does not fit the sources. --dry stops after it was planted.
+The exit code is 0 if every fault is detected, except those with an argument that they change no answer. It is 1 if
+other faults are not detected, or if one of the exceptions is. It is 2 if the list does not fit the sources. --dry stops
+after planting.
 
-Needs what test/run.sh installs. On two cores, compiling takes about ten minutes, and the whole list less than two hours.
+Requires the packages that test/run.sh installs. On two cores, compilation takes about ten minutes, and the whole list
+less than two hours.
 """
 import argparse
 import collections
@@ -50,7 +52,7 @@ inline bool planted(int fault) { return fault == planted_fault; }
 
 
 class Sources:
-    """headers, and the test files that include them"""
+    """Headers, and the test files that include them."""
 
     LEVELS = 3
 
@@ -68,7 +70,7 @@ class Sources:
                     self.includers[header].add(name)
 
     def tests(self, header):
-        """the test of the header itself; the other tests that include it; those that include a header that includes it; and so on"""
+        """Returns levels of tests: that of the header, others that include it, and those that include it indirectly."""
         headers = {header, header.replace("_impl.h", ".h")}
         levels = [{"test_" + os.path.basename(h).removesuffix(".h") for h in headers} & set(self.path_of_test)]
         for _ in range(self.LEVELS):
@@ -78,8 +80,10 @@ class Sources:
         return levels
 
     def checksum(self, fault, test=None):
-        """of what decides whether a fault is seen, but for other headers: its text, the code of its header, and that of a test file, or of all
-        that could see it"""
+        """Returns a checksum of the data that determines whether a fault is detected, except other headers.
+
+        The data are the fault's text, the code of its header, and of a test file, or of all that could detect it.
+        """
         result = hashlib.sha256(fault.text.encode())
         paths = [os.path.join(ROOT, fault.file)]
         if fault.is_of_checker:
@@ -94,7 +98,7 @@ class Sources:
 
 
 def code(text):
-    """without comments and space, which change no answer"""
+    """Returns the code without comments and white space, which do not affect answers."""
     return re.sub(r"//.*|/\*.*?\*/|\s+", "", re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)).encode()
 
 
@@ -154,12 +158,12 @@ def read_list(path):
 
 
 def pattern(text):
-    """that finds the text whatever space is in it"""
+    """Returns a pattern that matches the text with any white space."""
     return r"\s*".join(re.escape(character) for character in "".join(text.split()))
 
 
 class Place:
-    """a piece of a source, and what is to be there instead for some faults"""
+    """A part of a source file, with its replacements for some faults."""
 
     def __init__(self, begin, end):
         self.begin, self.end, self.faults, self.inner = begin, end, [], []
@@ -177,7 +181,7 @@ def find(fault, text):
 
 
 def render(text, begin, end, places):
-    """the text with all faults of all places in it"""
+    """Returns the text with all faults of all places planted."""
     result = ""
     for place in places:
         result += text[begin:place.begin]
@@ -212,7 +216,7 @@ def plant(file, faults):
 
 
 def write(path, text):
-    """leaves what is up to date alone, so that it is not compiled again"""
+    """Writes a file unless it is up to date, so that it is not compiled again."""
     os.makedirs(os.path.dirname(path), exist_ok=True)
     if not os.path.exists(path) or open(path, encoding="utf-8").read() != text:
         with open(path, "w", encoding="utf-8") as file:
@@ -220,7 +224,7 @@ def write(path, text):
 
 
 def plant_all(faults, source):
-    """returns a checksum of the sources without faults"""
+    """Plants all faults, and returns a checksum of the sources without faults."""
     checksum = hashlib.sha256()
     by_file = {}
     for fault in faults:
@@ -254,7 +258,7 @@ def run(command, **options):
 
 
 def build(source, build_folder, jobs):
-    # without assertions, on which no proof rests
+    # Assertions are off; proofs do not depend on them.
     options = ["-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DBUILD_TESTING=ON", "-DBSPLINE_SHELL_3_EXAMPLES=OFF",
                "-DBSPLINE_SHELL_3_BENCHMARKS=ON", "-DCMAKE_DISABLE_FIND_PACKAGE_Doxygen=ON", "-DCMAKE_CXX_FLAGS=-include " + os.path.join(source, "planted_fault.h")]
     if shutil.which("ccache"):
@@ -265,15 +269,17 @@ def build(source, build_folder, jobs):
 
 
 class Tests:
-    """runs one of the two sets of tests
+    """Runs one of the two sets of tests.
 
-    Limits are of the processor's time, which other work on the machine does not change; ten times as long to wait for it is a deadlock."""
+    Time limits are in processor time, which does not depend on other load. A wall-clock time of ten times the limit is
+    treated as a deadlock.
+    """
 
     def __init__(self, command, name_of_test):
         self.command, self.name_of_test = command, name_of_test
 
     def run(self, number, only=(), seconds=None):
-        """returns the name of a test that fails, or nothing; and what was written"""
+        """Returns the name of a test that fails, or None, and the output."""
         environment = dict(os.environ, PLANTED_FAULT=str(number))
         command = [*(["prlimit", f"--cpu={seconds:.0f}"] if seconds else []), *self.command, *only]
         process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
@@ -299,7 +305,7 @@ class Package_tests(Tests):
         self.sources = sources
 
     def learn(self, output):
-        """finds out how long each test and each test file takes"""
+        """Determines the time of each test and each test file from the output."""
         self.seconds, self.file = collections.defaultdict(float), {}
         for name, file, seconds in re.findall(r'<TestCase name="([^"]*)"[^>]*filename="[^"]*?(\w+)\.cpp".*?<OverallResult success=[^>]*durationInSeconds="([^"]*)"',
                                               output, re.DOTALL):
@@ -309,7 +315,7 @@ class Package_tests(Tests):
                 self.seconds[key] += float(seconds)
 
     def attempts(self, fault, seen_by, is_all):
-        """arguments that choose tests, and how long they may take"""
+        """Yields arguments that select tests, with their usual time in seconds."""
         if seen_by in self.seconds:
             yield [re.sub(r"([,\[\\])", r"\\\1", seen_by)], self.seconds[seen_by]
         for level in self.sources.tests(fault.file.removeprefix("include/")):

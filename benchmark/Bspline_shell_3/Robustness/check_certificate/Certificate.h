@@ -1,4 +1,4 @@
-// What is claimed, and the witnesses.
+// The claims, and their witnesses.
 #ifndef CHECK_CERTIFICATE_CERTIFICATE_H
 #define CHECK_CERTIFICATE_CERTIFICATE_H
 
@@ -16,9 +16,9 @@ struct Box
 {
   std::size_t leaf;
   int depth;
-  Position place; // of the least corner, in edges of the box from that of the leaf
+  Position place; // the least corner relative to the leaf's, in edges of the box
   char kind;
-  Point proof; // the direction, or the center in edges of the box from its least corner
+  Point proof; // the direction, or the center relative to the least corner, in edges of the box
 
   Extent extent(const Shell& shell) const
   {

@@ -1,4 +1,4 @@
-// Whether the claims hold.
+// Checks the claims.
 #ifndef CHECK_CERTIFICATE_CHECKER_H
 #define CHECK_CERTIFICATE_CHECKER_H
 
@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-// how often a part of a triangle no larger than the leaves that it meets, and a box of the certificate, is subdivided
-// before it counts as unconfirmed
+// Maximum subdivisions of a box of the certificate, and of a part of a triangle that is no larger than the leaves that
+// it meets. Parts that are still undecided count as unconfirmed.
 const int triangle_levels = 16, box_levels = 4;
 
 inline int sign(const Rational& r)
@@ -46,14 +46,14 @@ Number volume(const Point& a, const Point& b, const Point& c, const Point& d)
          + n[2] * (Number(d[2]) - Number(a[2]));
 }
 
-// positive if d is on the side of (a, b, c) to which (b - a) x (c - a) points
+// Returns a positive number if d is on the side of (a, b, c) to which (b - a) x (c - a) points.
 inline int orientation(const Point& a, const Point& b, const Point& c, const Point& d)
 {
   const Interval about = volume<Interval>(a, b, c, d);
   return about.lo > 0 ? 1 : about.hi < 0 ? -1 : sign(volume<Rational>(a, b, c, d));
 }
 
-// an enclosure of the facet's normal that is narrow even if the facet is a needle
+// Returns an enclosure of the facet's normal, which is narrow even for needles.
 inline std::array<Interval, 3> normal(const std::array<Point, 3>& t)
 {
   std::array<Interval, 3> n = cross<Interval>(t[0], t[1], t[2]);
@@ -79,7 +79,7 @@ public:
   void check()
   {
     const std::array<bool, 5>& claimed = certificate.claimed;
-    // the arguments for the last three follow the mesh from P1 on
+    // The arguments for the last three claims require P1.
     for(int i = 2; i < 5; ++i)
       if(claimed[i] && !claimed[0]) throw Unconfirmed("P" + std::to_string(i + 1) + " is claimed without P1");
     if(!mesh.is_closed_and_oriented())
@@ -94,7 +94,7 @@ private:
   struct Candidate
   {
     Extent extent;
-    const Leaf* leaf; // none outside of the domain
+    const Leaf* leaf; // null outside the domain
   };
   typedef std::array<std::array<Integer, 3>, 3> Corners;
 
@@ -104,10 +104,10 @@ private:
     return *known[l.number];
   }
 
-  // Whether for each leaf the polynomial form(splines on the leaf) has, on the part of a triangle in that leaf, a range
-  // for which `holds`. The part is the one with the given corners, barycentric coordinates in units of 2^-depth. It is
-  // subdivided until it is not larger than any leaf that it may meet; these are the candidates, of which the undecided
-  // remain.
+  // Returns whether, for each leaf, the range of the polynomial form(splines on the leaf) satisfies `holds` on the part
+  // of a triangle in the leaf. The part has the given corners, barycentric coordinates in units of 2^-depth. It is
+  // subdivided until it is not larger than any leaf that it may meet. These leaves are the candidates; later
+  // subdivisions keep the undecided ones.
   template <class Form, class Holds>
   bool holds_on(const std::array<Point, 3>& t, const Form& form, const Holds& holds,
                 const Corners& corners = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } }, int depth = 0,
@@ -128,7 +128,7 @@ private:
       if(!(cells.lo >= double(-largest_index) && cells.hi < double(largest_index))) return false;
       box.low[axis] = Integer(std::floor(cells.lo * double(root_edge)));
       box.high[axis] = Integer(std::ceil(cells.hi * double(root_edge)));
-      widest = (std::max)(widest, box.high[axis] - box.low[axis] - 2); // not counting what is due to rounding
+      widest = (std::max)(widest, box.high[axis] - box.low[axis] - 2); // without the effect of rounding
     }
 
     std::vector<Candidate> undecided;
@@ -174,7 +174,7 @@ private:
     return true;
   }
 
-  // f, or f minus a threshold
+  // Returns f, or f minus a threshold.
   static Coefficients above(const Splines& s, int threshold)
   {
     return threshold == FIELD ? s[FIELD] : difference(s[FIELD], s[threshold]);
@@ -203,7 +203,8 @@ private:
                         + ": the gradient does not make an acute angle with its normal");
   }
 
-  // Whether holds(splines on it, part) is true of each part of a box. Where it is not, the part is subdivided.
+  // Returns whether holds(splines on the part, part) is true for all parts of a box. If it is false, the part is
+  // subdivided.
   struct Part
   {
     std::array<double, 3> low = {}; // in edges of the box
@@ -239,8 +240,8 @@ private:
   {
     return holds_on_part(splines_on_box(box), Part(), holds, box_levels);
   }
-  // the same on the face, edge or vertex that a box has in common with a cell: there, splines do not vary towards the
-  // cell
+  // The same on the face, edge or vertex that a box has in common with a cell. Splines are made constant towards the
+  // cell.
   template <class Holds>
   bool holds_towards_cell(const Box& box, const Extent& cell, const Holds& holds) const
   {
@@ -256,9 +257,9 @@ private:
 
   static bool is_excluded(const Splines& s) { return hull(above(s, INNER)).hi < 0 || hull(above(s, OUTER)).lo > 0; }
 
-  // Whether f rises along the direction on all of a cube, and, where it may equal a threshold, is steeper than this: so
-  // grad f . grad (f - threshold) > 0. Numbers are divided by the largest of them, as squares of very small ones would
-  // not be known.
+  // Returns whether f rises along the direction on a whole cube, and is steeper than each threshold that it may equal.
+  // This implies grad f . grad (f - threshold) > 0. Numbers are divided by the largest one, so that squares do not
+  // underflow.
   static bool is_crossed(const Splines& s, std::array<Interval, 3> direction)
   {
     const double longest = largest_of(direction);
@@ -268,9 +269,9 @@ private:
     return are_less_steep(s, hull(derivative(s[FIELD], direction)).lo, squared(direction));
   }
 
-  // Whether in all of a cube, f is beyond a threshold where its gradient vanishes, and steeper than a threshold where
-  // it may equal it. With v = (x - center) / 2 and g = f - threshold, v . grad f > 0 where g - v . grad f < 0 and g >=
-  // 0; the other way round beyond the outer threshold.
+  // Returns whether, on a whole cube, f is beyond a threshold at its critical points, and steeper than each threshold
+  // that it may equal. With v = (x - center) / 2 and g = f - threshold: if g - v . grad f < 0, then v . grad f > 0
+  // wherever g >= 0. For the outer threshold, signs are opposite.
   static bool is_critical_beyond(const Splines& s, int threshold, const std::array<Interval, 3>& center)
   {
     const Interval r = hull(difference(above(s, threshold), along_half_offset(s[FIELD], center)));
@@ -286,7 +287,8 @@ private:
     return are_less_steep(s, beyond, squared(farthest));
   }
 
-  // whether f is steeper, by a lower bound slope / sqrt(length), than the thresholds that it may equal on a cube
+  // Returns whether f is steeper than the thresholds that it may equal on a cube. Its slope is at least slope /
+  // sqrt(length).
   static bool are_less_steep(const Splines& s, const Interval& slope, const Interval& length)
   {
     if(!(slope.lo > 0)) return false;
@@ -315,8 +317,8 @@ private:
   }
   static Interval squared(const std::array<Interval, 3>& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
 
-  // whether the boxes begin..end of a leaf are a partition of it: in the order of an octree each begins where the last
-  // ends
+  // Returns whether the boxes begin..end of a leaf are a partition of it: in octree order, each begins at the end of
+  // the previous one.
   bool is_partition(std::size_t begin, std::size_t end) const
   {
     std::vector<std::pair<std::uint64_t, std::uint64_t>> range;
@@ -337,9 +339,9 @@ private:
     return covered == std::uint64_t(1) << 3 * largest_depth;
   }
 
-  // P3 and P4. Omega* is in the cover: each component of A begins in a cover box (at its seed), and {EPS1 <= f <= EPS2}
-  // is connected to it through cover boxes only, because around these are other cover boxes, excluded ones, and ends of
-  // the leaves outside of it.
+  // P3 and P4. Omega* is in the cover: each component of A begins in a cover box (at its seed). {EPS1 <= f <= EPS2} is
+  // connected to it only through cover boxes. These are surrounded by cover boxes, excluded boxes, and ends of the
+  // leaves outside of {EPS1 <= f <= EPS2}.
   void check_boxes()
   {
     const std::vector<Box>& box = certificate.box;
@@ -367,15 +369,15 @@ private:
     const bool are_apart = std::adjacent_find(root_of_seed.begin(), root_of_seed.end()) == root_of_seed.end();
     root_of_seed.erase(std::unique(root_of_seed.begin(), root_of_seed.end()), root_of_seed.end());
     if(root_of_seed != root) throw Unconfirmed("P4: a component of the cover contains no component of the mesh");
-    // Components of A that share a component of the cover do not share one of Omega*: without critical points, all
-    // curves of that meet each component of A in it equally often, and at least once; so does a path through one of
-    // them, which meets A once.
+    // Components of A in the same component of the cover are in different components of Omega*. Without critical
+    // points, all curves of a component of Omega* meet each component of A in it equally often, and at least once. So
+    // does a path through one of them, which meets A once.
     if(!are_apart && !(certificate.claimed[1] && certificate.claimed[2] && certificate.claimed[4]))
       throw Unconfirmed(
         "P4: a component of the cover contains several components of the mesh, and P2, P3 and P5 are not all claimed");
   }
 
-  // what is claimed about f on a box
+  // Checks the claim about f on a box.
   void check_range(std::size_t n) const
   {
     const Box& b = certificate.box[n];
@@ -398,8 +400,8 @@ private:
         name + "f may have a critical point in the shell on it, or is not steeper than a threshold that it meets");
   }
 
-  // Cover boxes and excluded ones have to surround a cover box, which must be excluded where leaves end; it is joined
-  // with the former.
+  // A cover box must be surrounded by cover boxes and excluded boxes. Where leaves end, f must be beyond a threshold.
+  // The box is joined with the cover boxes around it.
   void check_surroundings(std::size_t n, const std::vector<std::size_t>& begin)
   {
     const std::string name = name_of(n);
@@ -472,8 +474,8 @@ private:
     }
   }
 
-  // 1 if the path passes through the interior of the facet to its positive side, -1 if to the other, 0 if they are
-  // disjoint
+  // Returns 1 if the path passes through the interior of the facet to its positive side, -1 if to its negative side,
+  // and 0 if they are disjoint.
   static int cross_facet(const Path& path, const std::array<Point, 3>& t, const std::string& name)
   {
     for(int axis = 0; axis < 3; ++axis) {
@@ -483,7 +485,7 @@ private:
     }
     const int at_p = orientation(t[0], t[1], t[2], path.p), at_q = orientation(t[0], t[1], t[2], path.q);
     if(at_p * at_q > 0) return 0;
-    bool left = false, right = false, on = at_p * at_q == 0; // where the edges pass the line of the path
+    bool left = false, right = false, on = at_p * at_q == 0; // sides on which the edges pass the line of the path
     for(int i = 0; i < 3; ++i) {
       const int side = orientation(path.p, path.q, t[i], t[(i + 1) % 3]);
       (side > 0 ? left : side < 0 ? right : on) = true;
@@ -497,7 +499,7 @@ private:
   const Mesh& mesh;
   const Certificate& certificate;
   Disjoint_sets cover;
-  mutable std::vector<std::unique_ptr<const Splines>> known; // of each leaf, once it was needed
+  mutable std::vector<std::unique_ptr<const Splines>> known; // cached splines of leaves
 };
 
 #endif // CHECK_CERTIFICATE_CHECKER_H

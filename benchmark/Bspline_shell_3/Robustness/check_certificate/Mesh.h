@@ -70,7 +70,7 @@ struct Mesh
       sets.join(f[0], f[1]);
       sets.join(f[0], f[2]);
     }
-    // components are numbered by their first facets; vertices without facets have none
+    // Components are numbered by their first facets; vertices without facets have none.
     std::vector<std::size_t> number(point.size(), none);
     for(const auto& f : facet)
       if(number[sets.find(f[0])] == none) number[sets.find(f[0])] = components++;
@@ -81,7 +81,7 @@ struct Mesh
     return { point[facet[f][0]], point[facet[f][1]], point[facet[f][2]] };
   }
 
-  // whether every edge has two facets that pass it in opposite directions
+  // Returns whether every edge has two facets that pass it in opposite directions.
   bool is_closed_and_oriented() const
   {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edge, opposite;
@@ -99,7 +99,7 @@ struct Mesh
   static constexpr std::size_t none = std::size_t(-1);
   std::vector<Point> point;
   std::vector<std::array<std::uint32_t, 3>> facet;
-  std::vector<std::size_t> component; // of each vertex
+  std::vector<std::size_t> component; // one number per vertex
   std::size_t components = 0;
   std::string checksum;
 };

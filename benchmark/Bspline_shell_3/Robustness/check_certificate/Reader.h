@@ -20,7 +20,7 @@
 typedef std::array<double, 3> Point;
 typedef long long Integer;
 
-// what is wrong with a file, and with a claim
+// Errors of files, and of claims.
 struct Malformed : std::runtime_error
 {
   using std::runtime_error::runtime_error;
@@ -30,8 +30,7 @@ struct Unconfirmed : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-// Numbers in files are not larger than this, and edges of cells not smaller than its inverse, so that nothing can
-// overflow.
+// Numbers in files are at most this large, and edges of cells at least its inverse, so that nothing can overflow.
 const double largest = 1e60;
 
 inline std::uint64_t crc64(const char* data, std::size_t size)
@@ -58,7 +57,7 @@ inline std::string read_file(const std::string& name)
   return text;
 }
 
-// The tokens of a text. Strict: single blanks and one '\n' after each line; not strict: any blanks, and comments.
+// The tokens of a text. If strict, single blanks and one '\n' after each line; otherwise, any blanks, and comments.
 class Reader
 {
 public:
@@ -66,7 +65,7 @@ public:
     : name(name), next(text.data()), end(next + text.size()), strict(strict)
   {
     if(!strict) return;
-    // the last line is the checksum of all before it
+    // The last line is the checksum of all bytes before it.
     const std::size_t line_size = 9 + 16 + 1;
     if(text.size() < line_size || text.compare(text.size() - line_size, 9, "checksum ") != 0 || text.back() != '\n')
       fail("the last line is not a checksum");

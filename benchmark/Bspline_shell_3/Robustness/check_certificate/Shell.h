@@ -1,4 +1,4 @@
-// The shell: its leaves, and the splines on them; what closes the user's mesh, and what replaces its tips.
+// The shell: its leaves with their splines, the triangles that close the user's mesh, and the truncation of its tips.
 #ifndef CHECK_CERTIFICATE_SHELL_H
 #define CHECK_CERTIFICATE_SHELL_H
 
@@ -22,13 +22,13 @@
 
 typedef std::array<Integer, 3> Position;
 
-// Lattice positions, levels of leaves and depths of boxes are at most this large, so that corners of boxes are exact
-// integers: in units of a cell of level 0 halved largest_level + largest_depth times.
+// Bounds of lattice positions, levels of leaves and depths of boxes. With them, corners of boxes are exact integers.
+// The unit is a cell of level 0, halved largest_level + largest_depth times.
 const Integer largest_index = 1 << 20;
 const int largest_level = 10, largest_depth = 20;
 const Integer root_edge = Integer(1) << (largest_level + largest_depth);
 
-// A closed box with corners in these units
+// A closed box with corners in this unit.
 struct Extent
 {
   Position low, high;
@@ -41,7 +41,7 @@ struct Extent
   }
 };
 
-// A cube of the lattice of a level
+// A cube of the lattice of a level.
 struct Cell
 {
   int level;
@@ -76,7 +76,7 @@ inline bool in_range(const Position& p)
   return std::all_of(p.begin(), p.end(), [](Integer i) { return i >= -largest_index && i < largest_index; });
 }
 
-// of a position in range
+// Returns the key of a position in range.
 inline std::uint64_t key(const Position& p)
 {
   std::uint64_t k = 0;
@@ -168,7 +168,7 @@ public:
       in.end_line();
     }
     read_closing(in);
-    const Integer paths = count(in, "paths"); // candidates, which no claim uses
+    const Integer paths = count(in, "paths"); // candidates; not used by any claim
     for(Integer n = 0; n < paths; ++n) {
       in.integer(0, (std::numeric_limits<Integer>::max)());
       in.point();
@@ -184,8 +184,8 @@ public:
     check_smoothness();
   }
 
-  // calls visit(cell, leaf) for the leaves that the box touches, and, with no leaf, for cells outside of the domain
-  // that it touches
+  // Calls visit(cell, leaf) for the leaves that the box touches, and visit(cell, nullptr) for touched cells outside the
+  // domain.
   template <class Visit>
   void visit_leaves(const Extent& box, const Visit& visit) const
   {
@@ -199,7 +199,7 @@ public:
         for(p[0] = first[0]; p[0] <= last[0]; ++p[0]) visit_leaves_in(Cell{ 0, p }, box, visit);
   }
 
-  // f, EPS1 and EPS2 on a leaf
+  // Returns f, EPS1 and EPS2 on a leaf.
   Splines splines(const Leaf& l) const
   {
     Splines s;
@@ -215,7 +215,7 @@ public:
     return s;
   }
 
-  // a spline at a point, exactly
+  // Returns the exact value of a spline at a point.
   Rational value(int spline, const Point& p) const
   {
     if(spline != FIELD && constant) return level[spline - 1];
@@ -238,10 +238,10 @@ public:
     return sum;
   }
 
-  // a coordinate in edges of cells of level 0
+  // Returns a coordinate in edges of cells of level 0.
   Interval lattice_coordinate(int axis, const Interval& x) const { return (x - origin[axis]) / spacing; }
 
-  // a point in the units of extents, and a box around it
+  // Return a point in the units of extents, and a box around it.
   std::array<Rational, 3> exact_place(const Point& p) const
   {
     std::array<Rational, 3> place;
@@ -269,8 +269,8 @@ public:
   }
 
   std::vector<Leaf> leaf;
-  // Triangles that close an open mesh. The mesh of the certificate has them, too: none of its claims rests on them
-  // being here.
+  // Triangles that close an open mesh. The mesh of the certificate contains them; its claims do not depend on this
+  // list.
   std::vector<Located_facet> closing;
   std::optional<Truncation> truncation;
   std::string checksum;
@@ -302,7 +302,7 @@ private:
     in.end_line();
     return n;
   }
-  // with room for what is around it
+  // Reads a cell whose neighborhood is in range.
   static Cell cell(Reader& in, int last_level)
   {
     Cell c;
@@ -333,17 +333,17 @@ private:
     return in_range(function.position) && function_of[function.level].count(key(function.position)) != 0;
   }
 
-  // the n-th of the 64 functions that act on a cell
+  // Returns the n-th of the 64 functions that act on a cell.
   static Cell acting(const Cell& c, int n)
   {
     return { c.level, { c.position[0] - 1 + n % 4, c.position[1] - 1 + n / 4 % 4, c.position[2] - 1 + n / 16 } };
   }
 
-  // calls visit(parent, weight) for the terms of the two-scale relation
+  // Calls visit(parent, weight) for the terms of the two-scale relation.
   template <class Visit>
   static void visit_parents(const Cell& function, const Visit& visit)
   {
-    const double weight[] = { 0.75, 0.5, 0.125 }; // of a function that is so many points away
+    const double weight[] = { 0.75, 0.5, 0.125 }; // by the distance of both points
     const Position nearest = function.parent().position;
     for(int n = 0; n < 27; ++n) {
       const Cell parent = { function.level - 1,
@@ -357,7 +357,7 @@ private:
     }
   }
 
-  // as listed, or from the level above
+  // Returns the listed coefficient, or computes it from the level above.
   template <class Number>
   Number function_coefficient(int spline, const Cell& function) const
   {
@@ -370,21 +370,21 @@ private:
     return sum;
   }
 
-  // Leaves do not overlap.
+  // Checks that leaves do not overlap.
   void check_leaves()
   {
     for(const Leaf& l : leaf)
       for(Cell c = l; c.level > 0;) {
         c = c.parent();
-        if(!split[c.level].insert(key(c.position)).second) break; // with all above it
+        if(!split[c.level].insert(key(c.position)).second) break; // its ancestors are already there
       }
     for(const Leaf& l : leaf)
       if(is_split(l)) throw Malformed("Leaf " + std::to_string(l.number) + " overlaps another");
   }
 
-  // Whether the leaves' polynomials agree up to second derivatives wherever leaves touch. Leaves of one level share
-  // their coefficients. Functions that act on a coarser leaf, too, are not listed: so all that leaves of two levels
-  // have in common follows from the coarser level by the two-scale relation, whose terms are listed.
+  // Checks that the leaves' polynomials agree up to second derivatives wherever leaves touch. Leaves of one level share
+  // their coefficients. Functions that also act on a coarser leaf are not listed. So on common faces, the finer level
+  // follows from the coarser one by the two-scale relation, whose terms are listed.
   void check_smoothness() const
   {
     for(const Cell& function : function_cell)
@@ -414,8 +414,8 @@ private:
   Point origin;
   double spacing = 0;
   bool constant = true;
-  std::array<double, 2> level;     // of constant thresholds
-  std::vector<Cell> function_cell; // at the functions' points
+  std::array<double, 2> level;     // values of constant thresholds
+  std::vector<Cell> function_cell; // cells at the functions' points
   std::array<std::vector<double>, 3> coefficient;
   std::array<std::unordered_map<std::uint64_t, std::size_t>, largest_level + 1> function_of, leaf_of;
   std::array<std::unordered_set<std::uint64_t>, largest_level + 1> split;

@@ -1,4 +1,4 @@
-// What replaces the tips of the user's mesh U, and the map h from U to the mesh A of the certificate.
+// The replacement of tips of the user's mesh U, and the map h from U to the mesh A of the certificate.
 #ifndef CHECK_CERTIFICATE_TRUNCATION_H
 #define CHECK_CERTIFICATE_TRUNCATION_H
 
@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
-// A facet by the coordinates of its corners, the cycle begun where it is least: so equal facets that face the same way
-// are equal.
+// A facet as the coordinates of its corners, in the least of the three cyclic orders. Facets with the same corners and
+// orientation are equal.
 typedef std::array<Point, 3> Located_facet;
 
 inline Located_facet located(const Point& a, const Point& b, const Point& c)
@@ -36,7 +36,7 @@ inline std::vector<Located_facet> located_facets(const Mesh& mesh)
   return facets;
 }
 
-// sorted ranges, whose elements are counted as often as they occur
+// Returns the difference of two sorted ranges, as multisets.
 inline std::vector<Located_facet> without(const std::vector<Located_facet>& facets,
                                           const std::vector<Located_facet>& removed)
 {
@@ -45,11 +45,11 @@ inline std::vector<Located_facet> without(const std::vector<Located_facet>& face
   return rest;
 }
 
-// Facets of U at some vertices, the centers, are cut. Each center has a disc: its rim are the cuts around the center,
-// and it is made of triangles between these and further points. What is left of the cut facets, beyond the rims, is the
-// cores. On cores, h is affine in barycentric coordinates. Tips, the triangles between centers and rims, and discs have
-// the same image in the plane, where centers are at the origin; h leads from one to the other by way of the plane.
-// Elsewhere h is the identity.
+// Facets of U at some vertices, the centers, are cut. Each center has a disc, whose rim consists of the cuts around the
+// center. The disc is made of triangles between these and further points. The cores are the remaining parts of the cut
+// facets, beyond the rims. On cores, h is affine in barycentric coordinates. A tip consists of the triangles between a
+// center and its rim. Tip and disc have the same image in the plane, with the center at the origin; h maps one to the
+// other through the plane. At all other points, h is the identity.
 class Truncation
 {
   typedef std::size_t Index;
@@ -60,8 +60,8 @@ class Truncation
 
   struct Cut
   {
-    Index center, first, second; // the last is `none` on an edge
-    double s, t;                 // parts of the way from the center to the two others
+    Index center, first, second; // `second` is `none` on an edge
+    double s, t;                 // shares of the way from the center to `first` and `second`
   };
   struct Core
   {
@@ -71,7 +71,7 @@ class Truncation
   struct Disc
   {
     Index center;
-    std::vector<Index> rim, facet; // of each edge of the rim, the cut facet that it is in
+    std::vector<Index> rim, facet; // for each edge of the rim, the cut facet that contains it
     std::vector<Triple> triangle;
     Index next(std::size_t i) const { return rim[(i + 1) % rim.size()]; }
   };
@@ -142,11 +142,10 @@ public:
     }
   }
 
-  // whether nothing is replaced
+  // Returns whether nothing is replaced.
   bool is_empty() const { return point.empty() && cut_facet.empty() && core.empty() && disc.empty(); }
 
-  // whether h is a homeomorphism from the cut facets to the cores and discs that leaves the other facets at the cut
-  // ones where they are
+  // Checks that h is a homeomorphism from the cut facets to the cores and discs, and does not move adjacent facets.
   void check() const
   {
     check_cuts();
@@ -169,12 +168,12 @@ public:
     }
   }
 
-  // Discs with cut facets in common, and these, are a patch, which a mesh has as a whole or not at all. Facets are
-  // sorted.
+  // A patch consists of discs with common cut facets, and these facets. A mesh contains all of a patch, or nothing of
+  // it. Facets are sorted.
   struct Patch
   {
     std::vector<Located_facet> cut_facets, new_facets;
-    std::set<Point> changed; // what h takes away or makes
+    std::set<Point> changed; // points that h removes or creates
   };
   std::vector<Patch> patches() const
   {
@@ -208,8 +207,9 @@ public:
     return all;
   }
 
-  // The patches that a mesh has, if it is what they make of some U, h being the identity elsewhere. Facets beyond them
-  // must not meet what h changes, which is known by its coordinates.
+  // Returns the patches that a mesh contains. The mesh must be the result of these patches for some U, with h as the
+  // identity at all other points. Other facets must not meet the points that h changes, which are identified by their
+  // coordinates.
   std::vector<Patch> patches_of(const Mesh& mesh) const
   {
     std::map<Point, Index> vertex;
@@ -252,7 +252,7 @@ private:
     }
   }
 
-  // which points discs have
+  // Checks the points of the discs.
   void check_discs() const
   {
     std::set<Index> seen;
@@ -280,7 +280,7 @@ private:
       if(disc_of[i] == none) throw Unconfirmed("T: point " + std::to_string(corners + i) + " is in no disc");
   }
 
-  // Points that facets have in common are known by their coordinates: so no two vertices of U may be in the same place,
+  // Common points of facets are identified by their coordinates. So no two vertices of U may have the same coordinates,
   // and no two of A.
   void check_points() const
   {
@@ -300,7 +300,8 @@ private:
       }
   }
 
-  // U is a surface where it is cut: edges have one facet on each side. Where it is not cut, A shows that.
+  // Checks that U is a surface where it is cut: edges have one facet on each side. The remaining parts are checked in
+  // A.
   void check_cut_facets() const
   {
     std::set<Edge> edges;
@@ -312,7 +313,7 @@ private:
       }
   }
 
-  // where a corner or a cut is in a facet
+  // Returns the barycentric coordinates of a corner or a cut in a facet.
   Barycentric place(Index facet, Index p) const
   {
     const Triple& t = cut_facet[facet];
@@ -346,7 +347,7 @@ private:
     return Rational(x(b) * y(c) - y(b) * x(c)).sign();
   }
 
-  // the edges of triangles that no other triangle passes the other way
+  // Returns the edges of triangles that no other triangle passes in the opposite direction.
   static std::set<Edge> border(const std::vector<Triple>& triangles, const std::string& name)
   {
     std::set<Edge> edges, border;
@@ -359,8 +360,8 @@ private:
     return border;
   }
 
-  // The parts of a facet are tips and cores. As these are turned the right way, and their border leads around the facet
-  // once, they cover it once: that is what the border's winding number says.
+  // Checks that the parts of a facet, tips and cores, cover it once. Parts are oriented like the facet, and their
+  // border goes around the facet once. So its winding number proves the claim.
   void check_parts(Index f, const std::vector<Triple>& parts, std::set<Edge>& sides) const
   {
     const std::string name = Truncation::name("facet", f);
@@ -378,7 +379,7 @@ private:
     for(int side = 0; side < 3; ++side) {
       const int last = (side + 1) % 3, off = (side + 2) % 3;
       while(p != t[last]) {
-        // the edge along the border that begins here: there must be one only
+        // There must be exactly one edge of the border that begins here.
         const auto e = edges.lower_bound(Edge(p, 0));
         if(e == edges.end() || e->first != p || (std::next(e) != edges.end() && std::next(e)->first == p))
           throw Unconfirmed(name + "its parts do not end at its sides");
@@ -393,8 +394,8 @@ private:
     sides.insert(edges.begin(), edges.end());
   }
 
-  // The triangles between the origin and the rim fill a polygon once that can be seen from there: angles are less than
-  // half a turn each, and only one edge comes back to the positive x-axis.
+  // Checks that the triangles between the origin and the rim fill a polygon once. The polygon is star-shaped: each
+  // angle is less than half a turn, and only one edge crosses the positive x-axis.
   void check_tip(Index n) const
   {
     const Disc& d = disc[n];
@@ -410,7 +411,7 @@ private:
                         + " times");
   }
 
-  // The triangles of the disc fill the same polygon once, by the same argument as parts do facets.
+  // Checks that the triangles of the disc fill the same polygon once, by the same argument as for parts of facets.
   void check_disc(Index n) const
   {
     const Disc& d = disc[n];
@@ -423,9 +424,9 @@ private:
       throw Unconfirmed(name("disc", n) + "its triangles do not end at its rim");
   }
 
-  Index corners = 0;                // how many points are vertices of U
+  Index corners = 0;                // the number of vertices of U
   std::vector<Point> point;         // corners of cut facets, cuts, points within discs
-  std::vector<Planar_point> planar; // of all but the first
+  std::vector<Planar_point> planar; // for all points except corners
   std::vector<Cut> cut;
   std::vector<Triple> cut_facet;
   std::vector<Core> core;

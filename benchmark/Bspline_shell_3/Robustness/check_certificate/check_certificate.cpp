@@ -1,12 +1,14 @@
-// Checks the certificate of a shell: whether what it says about the shell and a mesh is true.
+// Checks the certificate of a shell: whether its claims about the shell and a mesh are true.
 //
 //   check_certificate SHELL.shell.txt MESH.off CERTIFICATE.certificate.txt [USER_MESH.off]
 //
-// Exit code 0 and the line "certified: P1 ..." on stdout if everything that the certificate claims as proved holds;
-// 1 and a sentence on stderr if a claim is wrong or cannot be confirmed; 2 if a file cannot be read or is malformed.
+// If everything that the certificate claims as proved holds, the exit code is 0, with the line "certified: P1 ..." on
+// stdout. It is 1, with a sentence on stderr, if a claim is wrong or cannot be confirmed. It is 2 if a file cannot be
+// read or is malformed.
 //
-// f, EPS1 and EPS2 are the splines of the functions that the shell lists (EPS1 and EPS2 may be constants), A the mesh
-// MESH.off, n_T the normal of a facet T, Omega* the components of {EPS1 <= f <= EPS2} that meet A. The claims are
+// f, EPS1 and EPS2 are the splines of the functions that the shell lists (EPS1 and EPS2 may be constants). A is the
+// mesh MESH.off, n_T the normal of a facet T, and Omega* the components of {EPS1 <= f <= EPS2} that meet A. The claims
+// are
 //   P1  EPS1 <= f <= EPS2 on A;
 //   P2  n_T . grad f > 0 on every closed facet T;
 //   P3  Omega* lies in the interior of the leaves, grad f is not zero on it, and grad f . grad(f - EPSi) > 0 where f =
@@ -14,36 +16,36 @@
 //   P4  every component of Omega* contains exactly one component of A;
 //   P5  every component of Omega* contains a path from {f < EPS1} to {f > EPS2} that crosses A with count one.
 //
-// The user's mesh U may have been closed, by triangles that the shell lists, and its tips truncated, as the shell says,
-// before it was examined. If the shell has a truncation, the line ends with " T"; if U is given, with " A":
-//   T   A is what the truncation makes of some mesh, and the map h from that mesh to A is a homeomorphism. A mesh that
-//       was simplified in its shell may lack patches of the truncation, " T(1/3)" being said where it has one of three:
-//       h is the identity where they were;
+// The user's mesh U may have been modified before it was examined: closed by triangles that the shell lists, and its
+// tips truncated as listed in the shell. If the shell has a truncation, the line ends with " T"; if U is given, it ends
+// with " A":
+//   T   A is the truncation of some mesh, and the map h from that mesh to A is a homeomorphism. A mesh that was
+//       simplified in its shell may lack patches of the truncation; " T(1/3)" means that it has one of three. Without a
+//       patch, h is the identity there;
 //   A   that mesh is U, closed if it is open. Without a truncation, h is the identity, and A is that mesh itself.
-// If that is not so, the exit code is 1. Facets are compared by the coordinates of their corners, and by the side that
-// they face, whatever their order and that of vertices.
+// If T or A does not hold, the exit code is 1. Facets are compared by the coordinates of their corners and their
+// orientation; the order of facets and vertices is irrelevant.
 //
-// The theorem: if P1 to P5 hold for A, each curve of the flow of grad f through Omega* meets A once. So the flow leads
-// from A one-to-one to any other mesh of which the same is certified. With T and A, the flow after h is one-to-one from
-// U; h leaves what closes U as it is. P1 to P5 are about A alone; h is proved apart from them, in exact arithmetic on
-// the numbers of the truncation: see Truncation.h.
+// The theorem: if P1 to P5 hold for A, each curve of the flow of grad f through Omega* meets A once. So the flow is a
+// one-to-one map from A to any other mesh that is certified for the same claims. With T and A, the flow after h is
+// one-to-one from U; h does not move the triangles that close U. P1 to P5 are about A alone; h is proved separately, in
+// exact arithmetic on the numbers of the truncation: see Truncation.h.
 //
-// Nothing is sampled. Real numbers are enclosed by intervals of doubles, rounded outwards after every operation; what
-// has to be exact is an integer or a rational. On a facet, f and its derivatives are bounded by the Bernstein
-// coefficients (of degree 9) of the leaf's polynomial over a triangle, on boxes by those of the polynomial over the
-// box.
+// Nothing is sampled. Real numbers are enclosed by intervals of doubles, rounded outwards after every operation. Exact
+// values are integers or rationals. On a facet, f and its derivatives are bounded by Bernstein coefficients (of degree
+// 9) of the leaf's polynomial over a triangle; on boxes, by those of the polynomial over the box.
 //
-// That the splines are twice continuously differentiable across leaves of different sizes is checked, too: by which
-// functions are listed, whatever their coefficients are.
+// The splines are twice continuously differentiable across leaves of different sizes. This is checked for the listed
+// functions, independent of their coefficients.
 //
-// This program shares no code with the package that writes the files. What has to be trusted: this folder; the
-// compiler, the standard library and Boost (Multiprecision for rationals, CRC for checksums); double arithmetic as in
-// IEEE 754, rounded to nearest, which is tested at the start; and the theorem that P1 to P5 imply what one wants to
-// know. The user has to see to it that the shell and U, or A where U is not given, are those that are meant. Not
-// checked, as no claim depends on them: the shell's unit, thickness, numbers of triangles and components, marks of
-// leaves, facet ranges, and kinds of triangles that close a mesh. Nor is it checked that the facets of U that are cut
-// intersect no others (P1 to P5 say that for A): h is one-to-one from U as a surface, whose facets have their common
-// edges and corners in common, and nothing else.
+// This program shares no code with the package that writes the files. It relies on this folder; the compiler, the
+// standard library and Boost (Multiprecision for rationals, CRC for checksums); double arithmetic as in IEEE 754,
+// rounded to nearest, which is tested at the start; and the theorem above. The user is responsible for passing the
+// intended shell, and U, or A if U is not given. Some parts of the files are not checked, as no claim depends on them:
+// the shell's unit, thickness, numbers of triangles and components, marks of leaves, facet ranges, and kinds of
+// triangles that close a mesh. It is not checked either that the cut facets of U do not intersect others (P1 to P5
+// imply this for A). So h is one-to-one from U as an abstract surface, whose facets have only their common edges and
+// corners in common.
 #include "Certificate.h"
 #include "Checker.h"
 #include "Mesh.h"
@@ -58,7 +60,7 @@
 #include <string>
 #include <vector>
 
-// Whether the facets of the mesh are those of the user's mesh, closed by the shell's triangles if it is open, and
+// Checks that the facets of the mesh are those of the user's mesh, closed by the shell's triangles if it is open, and
 // truncated.
 void check_user_mesh(const Shell& shell, const std::vector<Truncation::Patch>& patches, const Mesh& mesh,
                      const Mesh& user_mesh)

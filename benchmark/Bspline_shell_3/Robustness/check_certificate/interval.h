@@ -1,9 +1,8 @@
-// Real numbers, enclosed by intervals of doubles that are rounded outwards after every operation; rationals, which are
-// exact.
+// Intervals of doubles that enclose real numbers, rounded outwards after every operation; exact rationals.
 #ifndef CHECK_CERTIFICATE_INTERVAL_H
 #define CHECK_CERTIFICATE_INTERVAL_H
 
-// of what Boost does not initialize because it does not use it, GCC warns or not, as the whole program's size decides
+// Depending on the size of the program, GCC warns of members that Boost neither initializes nor uses.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
@@ -22,10 +21,10 @@
 
 typedef boost::multiprecision::cpp_rational Rational;
 
-// std::nextafter to +infinity for finite numbers; written here because it has to be inlined
+// Returns std::nextafter to +infinity for finite numbers. A separate function, as it has to be inlined.
 inline double up(double x)
 {
-  x += 0.; // -0 has a successor of its own otherwise
+  x += 0.; // -0 would have another successor
   std::int64_t bits;
   std::memcpy(&bits, &x, sizeof x);
   bits += bits >= 0 ? 1 : -1;
@@ -58,7 +57,7 @@ inline Interval operator*(const Interval& a, const Interval& b)
   return Interval(down((std::min)((std::min)(c, d), (std::min)(e, f))),
                   up((std::max)((std::max)(c, d), (std::max)(e, f))));
 }
-// by a positive number
+// The divisor is positive.
 inline Interval operator/(const Interval& a, double b)
 {
   return Interval(down(a.lo / b), up(a.hi / b));
@@ -81,7 +80,7 @@ inline Interval enclose(const Rational& r)
   return i;
 }
 
-// whether double arithmetic is the one that intervals rely on
+// Returns whether double arithmetic satisfies the assumptions of intervals.
 inline bool usable_arithmetic()
 {
 #ifdef __FAST_MATH__

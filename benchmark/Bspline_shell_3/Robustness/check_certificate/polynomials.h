@@ -8,11 +8,10 @@
 #include <array>
 #include <cstddef>
 
-// Bernstein coefficients of a tricubic polynomial over a cube, [i + 4 j + 16 k]
+// Bernstein coefficients of a tricubic polynomial over a cube, [i + 4 j + 16 k].
 typedef std::array<Interval, 64> Coefficients;
 
-// Homogeneous polynomials in three variables by the coefficients of their monomials, those of x^a y^b z^c by rising (a,
-// b).
+// Homogeneous polynomials in three variables, as coefficients of monomials x^a y^b z^c in increasing order of (a, b).
 constexpr int number_of_terms(int degree)
 {
   return (degree + 1) * (degree + 2) / 2;
@@ -63,10 +62,11 @@ Polynomial<D + E> operator*(const Polynomial<D>& p, const Polynomial<E>& q)
   return product;
 }
 
-typedef std::array<std::array<Interval, 3>, 3> Triangle; // its corners' coordinates
+typedef std::array<std::array<Interval, 3>, 3> Triangle; // coordinates of its corners
 
-// Range of a tricubic polynomial on a triangle, in coordinates for which the leaf is the unit cube. The polynomial is
-// written in barycentric coordinates; its Bernstein coefficients are those of the monomials over the multinomials.
+// Returns the range of a tricubic polynomial on a triangle, in coordinates in which the leaf is the unit cube. The
+// polynomial is expressed in barycentric coordinates. Its Bernstein coefficients are those of the monomials, divided by
+// the multinomials.
 inline Interval range_on_triangle(const Coefficients& b, const Triangle& corner)
 {
   std::array<std::array<Polynomial<3>, 4>, 3> bernstein;
@@ -102,7 +102,7 @@ inline Interval range_on_triangle(const Coefficients& b, const Triangle& corner)
   return hull(f);
 }
 
-// The polynomial whose values are those at one end of the unit cube, along an axis
+// Extends the values at one end of the unit cube along an axis.
 inline void make_constant(Coefficients& b, int axis, bool upper)
 {
   const int stride = axis == 0 ? 1 : axis == 1 ? 4 : 16;
@@ -111,7 +111,7 @@ inline void make_constant(Coefficients& b, int axis, bool upper)
       for(int i = 0; i < 4; ++i) b[std::size_t(n + i * stride)] = b[std::size_t(n + (upper ? 3 : 0) * stride)];
 }
 
-// Half of the unit cube's polynomial along an axis, by de Casteljau
+// Restricts a polynomial on the unit cube to a half along an axis, by de Casteljau's algorithm.
 inline void halve(Coefficients& b, int axis, bool upper)
 {
   const int stride = axis == 0 ? 1 : axis == 1 ? 4 : 16;
@@ -133,7 +133,7 @@ inline void halve(Coefficients& b, int axis, bool upper)
     }
 }
 
-// of the B-spline coefficients that act on the cube, axis by axis
+// Converts the B-spline coefficients that act on the cube, axis by axis.
 inline Coefficients bernstein(Coefficients c)
 {
   for(int stride = 1; stride < 64; stride *= 4)
@@ -157,7 +157,7 @@ inline Coefficients difference(const Coefficients& f, const Coefficients& g)
   return d;
 }
 
-// d . grad f times the edge of the cube, which does not change the sign; degrees raised to three again
+// Returns d . grad f times the edge of the cube, which does not change the sign, elevated to degree three.
 inline Coefficients derivative(const Coefficients& f, const std::array<Interval, 3>& d)
 {
   Coefficients sum;
@@ -172,7 +172,8 @@ inline Coefficients derivative(const Coefficients& f, const std::array<Interval,
   return sum;
 }
 
-// (x - center) / 2 . grad f, in units of the cube: along each axis a linear polynomial times one of degree two
+// Returns (x - center) / 2 . grad f, in units of the cube: along each axis, a linear polynomial times one of degree
+// two.
 inline Coefficients along_half_offset(const Coefficients& f, const std::array<Interval, 3>& center)
 {
   Coefficients sum;

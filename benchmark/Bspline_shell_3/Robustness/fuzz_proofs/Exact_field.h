@@ -45,7 +45,7 @@ inline int sign(const Dyadic& x)
   return x > Dyadic(0) ? 1 : x < Dyadic(0) ? -1 : 0;
 }
 
-// Value and gradient, both times the same positive number, that of the cell: nothing is divided.
+// Value and gradient, both multiplied by the same positive factor of the cell, so that there are no divisions.
 struct Exact_jet
 {
   Dyadic value;
@@ -80,14 +80,14 @@ public:
     INSIDE,
     OUTSIDE,
     UNDEFINED
-  }; // undefined: in cells only on which coefficients are no finite numbers
+  }; // undefined: all cells at the point have coefficients that are not finite
 
-  // `field` outlives this object, and stays as it is
+  // `field` must outlive this object, and not change.
   explicit Exact_field(const Field& field) : m_field(&field), m_cells(field.number_of_cells()) {}
 
   const Field& field() const { return *m_field; }
 
-  // 216 times the Bernstein coefficients; nothing where coefficients are no finite numbers
+  // Returns 216 times the Bernstein coefficients, or null if coefficients are not finite.
   const std::array<Dyadic, 64>* bernstein(Cell_index c) const
   {
     std::unique_ptr<Cell_form>& form = m_cells[c];
@@ -124,7 +124,7 @@ public:
     return true;
   }
 
-  // closed cells that contain the point
+  // Returns the closed cells that contain the point.
   std::vector<Cell_index> cells_at(const Dyadic_vector& p) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -152,14 +152,14 @@ public:
     return cells.empty() ? OUTSIDE : UNDEFINED;
   }
 
-  // the factor of a cell's jets: 216 w^9
+  // Returns the factor of a cell's jets: 216 w^9.
   Dyadic scale(Cell_index c) const
   {
     const Dyadic w(m_field->cell(c).width()), cubed = w * w * w;
     return Dyadic(216) * cubed * cubed * cubed;
   }
 
-  // of a cell with finite coefficients
+  // The coefficients of the cell must be finite.
   Exact_jet jet(Cell_index c, const Dyadic_vector& p) const
   {
     const std::array<Dyadic, 64>& b = *bernstein(c);
@@ -202,7 +202,7 @@ private:
   mutable std::vector<std::unique_ptr<Cell_form> > m_cells;
 };
 
-// jets of thresholds, with the factors of the field's cells
+// Jets of thresholds, with the factors of the field's cells.
 template <typename Threshold>
 class Exact_threshold;
 

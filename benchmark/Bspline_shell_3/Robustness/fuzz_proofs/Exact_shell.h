@@ -1,4 +1,4 @@
-// What is true of a shell, at points: the oracle of all claims about values and slopes.
+// The oracle of claims about values and slopes of a shell, at points.
 #ifndef EXACT_SHELL_H
 #define EXACT_SHELL_H
 
@@ -24,7 +24,7 @@ public:
   typedef Field_ Field;
   typedef Threshold_ Threshold;
   typedef typename Field::Cell_index Cell_index;
-  // at a point, all times a positive number that depends on its cell
+  // Jets at a point, multiplied by a positive factor that depends on the cell.
   struct Jets
   {
     Exact_jet f, inner, outer;
@@ -41,9 +41,9 @@ public:
     FIELD = 0,
     INNER = 1,
     OUTER = 2
-  }; // to know that something holds
+  }; // functions that must be defined to decide that a claim holds
 
-  // the field and the thresholds outlive this object
+  // The field and the thresholds must outlive this object.
   Exact_shell(const Field& field, const Threshold& inner, const Threshold& outer)
     : m_field(field), m_inner_threshold(inner), m_outer_threshold(outer), m_inner(inner), m_outer(outer)
   {}
@@ -53,7 +53,7 @@ public:
   const Threshold& inner() const { return m_inner_threshold; }
   const Threshold& outer() const { return m_outer_threshold; }
 
-  // of a cell on which the field is defined; a threshold that is not has the field's value
+  // The field must be defined on the cell. A threshold that is undefined gets the field's value.
   Jets jets(Cell_index c, const Dyadic_vector& p) const
   {
     const Exact_jet f = m_field.jet(c, p), unknown = { f.value, { Dyadic(0), Dyadic(0), Dyadic(0) } };
@@ -62,7 +62,7 @@ public:
   }
   bool is_defined(Cell_index c) const { return m_field.bernstein(c) && m_inner.is_defined(c) && m_outer.is_defined(c); }
 
-  // Whether `holds`, a function of jets, is true at a point; nothing is outside of the domain.
+  // Returns whether `holds`, a function of jets, is true at a point. It is false outside the domain.
   template <typename Holds>
   Answer ask(const Dyadic_vector& p, const Holds& holds, int needed = INNER | OUTER) const
   {
@@ -75,7 +75,7 @@ public:
     return cells.empty() ? FAILS : UNDEFINED;
   }
 
-  // margins and slopes as rounded functions of rounded points, for searches
+  // Margins and slopes as rounded functions of rounded points, for searches.
   double above_inner(const std::array<double, 3>& p) const { return margin(p, 1, m_inner_threshold); }
   double below_outer(const std::array<double, 3>& p) const { return margin(p, -1, m_outer_threshold); }
   double above(const std::array<double, 3>& p, const Threshold& threshold) const { return margin(p, 1, threshold); }
@@ -102,8 +102,8 @@ std::string describe(const std::array<Point, size>& simplex)
   return text.str();
 }
 
-// Checks one verdict on a simplex: what is proved holds at the points where `margin`, rounded, is least; what is
-// refuted fails at the witness.
+// Checks one verdict on a simplex. A proved claim must hold at the points where `margin`, rounded, is least. A refuted
+// claim must fail at the witness.
 template <typename Shell, std::size_t size, typename Margin, typename Holds>
 void check_verdict(Tally& tally, const std::string& kind, Verdict verdict, const BS::Witness& witness,
                    const Shell& shell, const std::array<Point_3, size>& simplex, const Margin& margin,
@@ -127,7 +127,7 @@ void check_verdict(Tally& tally, const std::string& kind, Verdict verdict, const
   }
 }
 
-// For claims without a witness: whether a point where it fails can be found.
+// For claims without a witness: returns whether a point is found where the claim fails.
 template <typename Shell, std::size_t size, typename Margin, typename Holds>
 bool fails_somewhere(const Shell& shell, const std::array<Point_3, size>& simplex, const Margin& margin,
                      const Holds& holds)
@@ -138,7 +138,7 @@ bool fails_somewhere(const Shell& shell, const std::array<Point_3, size>& simple
   return false;
 }
 
-// the exact normal of a triangle, for claims about slopes
+// The exact normal of a triangle, for claims about slopes.
 class Exact_slope
 {
 public:
@@ -146,7 +146,7 @@ public:
     : m_normal(cross(minus(dyadic(t[1]), dyadic(t[0])), minus(dyadic(t[2]), dyadic(t[0]))))
   {}
 
-  // n . grad f > 0, and at least `least` for the unit normal
+  // Returns whether n . grad f is positive and, for the unit normal, at least `least`.
   bool operator()(const Exact_jet& f, const Dyadic& scale, double least) const
   {
     const Dyadic slope = dot(m_normal, f.gradient);

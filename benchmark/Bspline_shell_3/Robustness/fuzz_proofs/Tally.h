@@ -1,4 +1,4 @@
-// Counts answers by kind and verdict, and keeps descriptions of the wrong ones.
+// Counts results by kind and verdict, and stores descriptions of wrong results.
 #ifndef TALLY_H
 #define TALLY_H
 
@@ -28,7 +28,7 @@ public:
     if(m_descriptions.size() < most_descriptions) m_descriptions.emplace_back(m_case, kind + ": " + what);
   }
 
-  // an answer that is right or wrong, whatever it is
+  // Counts a right or wrong result that is not a verdict.
   void count(const std::string& kind, bool is_right, const std::string& what)
   {
     count(kind, CGAL::Bspline_shells::Verdict::PROVED);
@@ -59,7 +59,7 @@ public:
     return sum;
   }
 
-  // the first ones, by the number of the case
+  // Returns the first descriptions of wrong results, with the numbers of their cases.
   const std::vector<std::pair<std::uint64_t, std::string> >& descriptions() const { return m_descriptions; }
 
   void write_json(std::ostream& out) const

@@ -1,5 +1,5 @@
-// Shell_certificate_3 as a whole, on small meshes around a field like the distance from a point: spheres, double
-// pyramids, stars that cover each direction more than once, pairs of surfaces.
+// Checks Shell_certificate_3 on small meshes around a field similar to the distance from a point: spheres, double
+// pyramids, stars that cover directions more than once, pairs of surfaces.
 #ifndef CHECK_CERTIFICATE_H
 #define CHECK_CERTIFICATE_H
 
@@ -20,7 +20,7 @@
 
 typedef CGAL::Surface_mesh<Point_3> Mesh;
 
-// each facet split into four
+// Splits each facet into four.
 inline Mesh subdivided(const Mesh& mesh)
 {
   Mesh fine;
@@ -43,7 +43,7 @@ inline Mesh subdivided(const Mesh& mesh)
   return fine;
 }
 
-// an icosahedron, perhaps with each facet split into four, on the unit sphere
+// Returns an icosahedron on the unit sphere, with each facet sometimes split into four.
 inline Mesh random_sphere(CGAL::Random& random, double noise)
 {
   Mesh mesh;
@@ -67,7 +67,7 @@ class Certificate_check
 public:
   Certificate_check(Tally& tally, CGAL::Random& random) : m_tally(tally), m_random(random)
   {
-    // cells of the cube of side three about a center, in units of which all else is thrown
+    // Cells in a cube around a center, whose side is three units. All other random lengths are in this unit.
     const int half_cells = random.get_int(4, 7);
     m_unit = std::ldexp(random.get_double(0.5, 1),
                         chance(random, 0.95) ? random.get_int(-180, 181) : random.get_int(-300, 301));
@@ -142,7 +142,7 @@ private:
       m_is_star = true;
       m_mesh = random_bipyramid(m_random, sides[n], turns[n], (std::min)(noise, 0.03), 1);
     }
-    if(chance(m_random, 0.1)) { // another one inside
+    if(chance(m_random, 0.1)) { // another surface inside
       m_is_pair = true;
       Mesh inner = random_sphere(m_random, 0);
       const double factor = m_random.get_double(0.7, 0.99);
@@ -198,8 +198,8 @@ private:
     return BS::Spline_threshold<Field>(scaled(threshold.field(), exponent));
   }
 
-  // Scales the field and the thresholds by a power of two: claims must be the same, and bounds scaled. Near the ends of
-  // the range of numbers, less may be proved.
+  // Scales the field and the thresholds by a power of two. Claims must be the same, and bounds scaled. Near the limits
+  // of the range of numbers, fewer claims may be proved.
   void check_scaled(const Field& field, const Threshold& inner, const Threshold& outer, const Certificate& certificate)
   {
     const int exponent = m_random.get_int(-1050, 1000), size = std::ilogb(m_unit);
@@ -207,7 +207,7 @@ private:
     const Field scaled_field = scaled(field, exponent);
     Certificate other(scaled_field, scaled(inner, exponent), scaled(outer, exponent));
     other.template verify<CGAL::Sequential_tag>(m_mesh);
-    // values, slopes and second derivatives
+    // for values, slopes and second derivatives
     constexpr int room = 800;
     const bool has_room = std::abs(exponent + size) < room && std::abs(exponent) < room
                           && std::abs(exponent - size) < room;
@@ -230,7 +230,7 @@ private:
     if(m_is_star) m_tally.wrong("certificate_of_star", "certified");
     if(CGAL::Polygon_mesh_processing::does_self_intersect(m_mesh))
       m_tally.wrong("certificate", "the mesh intersects itself");
-    // rays from one to the other are in the shell
+    // Rays from one surface to the other are in the shell.
     if(m_is_pair) m_tally.wrong("certificate", "two surfaces in one component");
     const std::vector<CGAL::SM_Face_index> faces(m_mesh.faces().begin(), m_mesh.faces().end());
     for(int n = 0; n < 8; ++n) {
@@ -238,7 +238,7 @@ private:
         shell, triangle_of(m_mesh, faces[std::size_t(m_random.get_int(0, int(faces.size())))]), true);
       if(count) m_tally.count("path", *count == 1, "crosses the mesh " + std::to_string(*count) + " times");
     }
-    // displacements and the least gradient speak of all of the shell; here of the mesh
+    // Displacements and the least gradient are bounds for the whole shell; here, they are checked on the mesh.
     const Dyadic bound(certificate.least_gradient());
     for(auto f : faces) {
       const Triangle t = triangle_of(m_mesh, f);
@@ -291,8 +291,8 @@ private:
       }
   }
 
-  // The algebraic count along a segment through a facet, on which the field increases from below the shell to above it;
-  // nothing if no such segment is found.
+  // Returns the algebraic number of crossings of a segment through a facet, or nothing if none is found. The field
+  // increases on the segment from below the shell to above it.
   std::optional<int> crossings_of_path(const Shell& shell, const Triangle& t, bool anywhere)
   {
     double b[3] = { 1, 1, 1 };
@@ -339,7 +339,7 @@ private:
       if(count && *count != w.count) m_tally.wrong("claim_degree_one", "refuted by a wrong count");
     }
     if(w.reason == Witness::CRITICAL_POINT) {
-      // Newton's method stays nearby
+      // Newton's method must stay nearby.
       std::array<double, 3> x = w.point;
       const auto c = typename Field::Cell_index(w.cell);
       const auto cell = shell.field().cell(c);

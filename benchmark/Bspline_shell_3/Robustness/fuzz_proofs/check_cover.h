@@ -1,4 +1,5 @@
-// Shell_cover_3: what its boxes say, the flood against brute force over all pairs of boxes, and bounds of the gradient.
+// Checks Shell_cover_3: claims about its boxes, flooding against brute force over all pairs of boxes, and bounds of the
+// gradient.
 #ifndef CHECK_COVER_H
 #define CHECK_COVER_H
 
@@ -16,7 +17,7 @@
 
 typedef std::array<double, 3> Place;
 
-// where a function is least in a box, nearly; all points are in the closed box
+// Returns an approximate minimizer of a function in a closed box.
 template <typename Function>
 Place worst_place(const CGAL::Bbox_3& box, const Function& f)
 {
@@ -117,12 +118,12 @@ private:
                                : box.kind == BS::Box_kind::MONOTONE ? "box_monotone"
                                                                     : "box_critical";
       m_tally.count(kind, Verdict::PROVED);
-      // one threshold is enough to exclude a box
+      // One threshold is enough to exclude a box.
       if(!m_shell.exact_field().bernstein(c)) {
         m_tally.wrong(kind, "nothing is known on " + describe_box(n));
         continue;
       }
-      // each with the polynomials of its own cell, in the closed box
+      // Boxes are closed, and are checked with the polynomials of their own cell.
       if(box.kind == BS::Box_kind::EXCLUDED) {
         const Place p = worst_place(m_bbox[n], [&](const Place& p) {
           const double f = cell.value(p);
@@ -145,7 +146,7 @@ private:
     }
   }
 
-  // The field minus the threshold, less half of the slope towards the center, has one sign on all of the box.
+  // The field minus the threshold, less half of the slope towards the center, has the same sign on the whole box.
   void check_critical_points(std::size_t n)
   {
     const BS::Cover_box& box = m_cover.boxes()[n];
@@ -170,7 +171,7 @@ private:
     if(sign(above) != (below ? -1 : 1)) m_tally.wrong("box_critical", describe_box(n));
   }
 
-  // Where the field crosses a threshold in a box, and that is in the shell, it crosses it upwards.
+  // Where the field crosses a threshold, it must cross it upwards: in monotone boxes, and in the shell in other boxes.
   void check_crossing(std::size_t n, const Threshold& threshold)
   {
     const BS::Cover_box& box = m_cover.boxes()[n];
@@ -181,7 +182,7 @@ private:
       const auto g = cell.first_order_jet(p).gradient, t = other.first_order_jet(p).gradient;
       return g[0] * (g[0] - t[0]) + g[1] * (g[1] - t[1]) + g[2] * (g[2] - t[2]);
     };
-    std::vector<std::pair<double, Place> > below, above; // the least slopes first
+    std::vector<std::pair<double, Place> > below, above; // least slopes first
     for(int i = 0; i < 27; ++i) {
       Place p;
       const int position[3] = { i % 3, i / 3 % 3, i / 9 };
@@ -278,8 +279,8 @@ private:
     }
   }
 
-  // Boxes at the end of the domain, by whole numbers: a box that touches sides of its root cell needs the root cells
-  // behind them, or must not be in the shell where it touches one that there is not.
+  // Checks boxes at the end of the domain, in integer arithmetic. If a box touches sides of its root cell, the root
+  // cells behind them must exist, or the box must not be in the shell there.
   void check_ends()
   {
     const auto& boxes = m_cover.boxes();
@@ -312,8 +313,8 @@ private:
     }
   }
 
-  // whether a face, an edge or a vertex of a box has a point in the shell, nearly: the one where the field is farthest
-  // from both ends of the shell
+  // Returns whether a face, an edge or a vertex of a box seems to have a point in the shell: the point where the field
+  // is farthest from both ends of the shell.
   bool is_in_shell_towards(const std::array<int, 3>& direction, std::size_t n) const
   {
     const auto c = m_cover.boxes()[n].cell;

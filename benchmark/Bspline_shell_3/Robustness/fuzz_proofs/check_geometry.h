@@ -1,4 +1,4 @@
-// Normals, windings, crossings, and the arithmetic of enclosed polynomials: closed forms and brute force, exactly.
+// Checks normals, windings, crossings, and arithmetic of enclosed polynomials, by exact closed forms and brute force.
 #ifndef CHECK_GEOMETRY_H
 #define CHECK_GEOMETRY_H
 
@@ -14,8 +14,8 @@
 #include <optional>
 #include <vector>
 
-// How often the link turns around the axis through `p`: the edges that pass a half-plane that ends in the axis. Zero if
-// one of them does not turn forwards.
+// Returns how often the link turns around the axis through `p`: the number of edges that pass a half-plane bounded by
+// the axis. If an edge does not turn forwards, returns zero.
 inline int exact_turns(CGAL::Random& random, const Dyadic_vector& p, const Dyadic_vector& axis,
                        const std::vector<Point_3>& link)
 {
@@ -31,8 +31,8 @@ inline int exact_turns(CGAL::Random& random, const Dyadic_vector& p, const Dyadi
       const int begin = sign(dot(axis, cross(half_plane, spokes[n]))),
                 end = sign(dot(axis, cross(half_plane, spokes[(n + 1) % spokes.size()])));
       is_generic = begin != 0 && end != 0;
-      // less than half a turn forwards, from one side of the line to the other: past the half-plane, or past the
-      // opposite one
+      // Less than half a turn forwards, from one side of the line to the other, passes the half-plane or the opposite
+      // one.
       turns += begin < 0 && end > 0;
     }
     if(is_generic) return turns;
@@ -76,8 +76,8 @@ inline void check_normal(Tally& tally, CGAL::Random& random)
   if(is_degenerate(t)) return;
   const BS::Facet_normal found = BS::facet_normal(t[0], t[1], t[2]);
   const Dyadic_vector n = cross(minus(dyadic(t[1]), dyadic(t[0])), minus(dyadic(t[2]), dyadic(t[0])));
-  // Factors l with |l n_a - d_a| <= r lie between quotients: all lower ones are at most all upper ones, and some upper
-  // one is positive.
+  // Factors l with |l n_a - d_a| <= r lie between quotients. Lower ones must not exceed upper ones, and an upper one
+  // must be positive.
   bool is_right = true;
   std::vector<std::pair<Dyadic, Dyadic> > lower, upper; // numerators and positive denominators
   for(int a = 0; a < 3; ++a) {
@@ -98,7 +98,7 @@ inline void check_normal(Tally& tally, CGAL::Random& random)
   tally.count("facet_normal", is_right, "of" + describe(t));
 }
 
-// a closed surface: a double pyramid over a star or a polygon, its vertices moved
+// Returns a closed surface: a double pyramid over a star or a polygon, with displaced vertices.
 inline CGAL::Surface_mesh<Point_3> random_bipyramid(CGAL::Random& random, int sides, int turns, double noise,
                                                     double scale)
 {
@@ -127,7 +127,8 @@ Triangle triangle_of(const Mesh& mesh, Face f)
   return { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) };
 }
 
-// Whether a segment in the plane of a triangle meets it: project along the largest component of the normal.
+// Returns whether a segment in the plane of a triangle meets it, by projection along the largest component of the
+// normal.
 inline bool meet_in_plane(const Triangle& t, const Point_3& p, const Point_3& q)
 {
   const Exact_slope slope(t);
@@ -137,8 +138,8 @@ inline bool meet_in_plane(const Triangle& t, const Point_3& p, const Point_3& q)
     const Dyadic_vector n = cross(minus(dyadic(b), dyadic(a)), minus(dyadic(c), dyadic(a)));
     return sign(n[axis]);
   };
-  // closed convex sets in a plane are disjoint if and only if the line of an edge of one of them separates them; for a
-  // point, one of the triangle's
+  // Two closed convex sets in a plane are disjoint if and only if the line of an edge separates them. For a point, it
+  // is an edge of the triangle.
   const auto separates = [&](const Point_3& a, const Point_3& b, const std::vector<Point_3>& first,
                              const std::vector<Point_3>& second) {
     for(int s : { 1, -1 }) {
@@ -203,7 +204,7 @@ inline void check_crossings(Tally& tally, CGAL::Random& random)
       return Point_3(scale * v[0], scale * v[1], scale * v[2]);
     };
     Point_3 p = end(), q = end();
-    if(chance(random, 0.3)) { // through an edge or a vertex, nearly
+    if(chance(random, 0.3)) { // nearly through an edge or a vertex
       const Point_3 a = mesh.point(vertices[std::size_t(random.get_int(0, int(vertices.size())))]),
                     b = mesh.point(vertices[0]);
       const Point_3 m = CGAL::midpoint(a, b);
@@ -226,7 +227,7 @@ inline void check_crossings(Tally& tally, CGAL::Random& random)
   }
 }
 
-// Functions within the radius of an enclosed one have exact results within the result's.
+// The exact results for functions within the radius of an enclosed one are within the result's radius.
 inline void check_tricubics(Tally& tally, CGAL::Random& random)
 {
   typedef std::array<Dyadic, 64> Exact_form;
@@ -294,7 +295,7 @@ inline void check_tricubics(Tally& tally, CGAL::Random& random)
     }
   tally.count("tricubic_octant", is_within(BS::restrict_to_octant(f, octant), result, 512), "");
 
-  // at a point of a triangle in or near the cell, whose corners are off by up to a shift
+  // A point of a triangle in or near the cell, whose corners have errors of up to a shift.
   const double shift = chance(random, 0.5) ? 0 : power_of_ten(random, -17, -6), reach = chance(random, 0.7) ? 1 : 3;
   std::array<std::array<double, 3>, 3> corners;
   std::array<Dyadic_vector, 3> exact_corners;
@@ -327,7 +328,7 @@ inline void check_tricubics(Tally& tally, CGAL::Random& random)
   tally.count("tricubic_on_triangle", is_enclosed, "");
 }
 
-// Copies in cells are within their radius; and where cells meet, values and gradients agree.
+// Copies of polynomials in cells are within their radius. Where cells meet, values and gradients agree.
 template <typename Field>
 void check_cells(Tally& tally, CGAL::Random& random, const Exact_field<Field>& exact)
 {
@@ -352,7 +353,7 @@ void check_cells(Tally& tally, CGAL::Random& random, const Exact_field<Field>& e
       is_right = is_right && d <= r && Dyadic(0) - d <= r;
     }
     tally.count("error_radius", is_right, "of cell " + std::to_string(c));
-    // a point of a side, seen from all cells around it
+    // a point of a side, in all cells around it
     std::array<double, 3> p;
     const int side = random.get_int(0, 3);
     for(int a = 0; a < 3; ++a)

@@ -1,4 +1,5 @@
-// Field_predicates_3, Second_order_bounds_3 and Shell_facet_oracle_3, on triangles close to where the answer changes.
+// Checks Field_predicates_3, Second_order_bounds_3 and Shell_facet_oracle_3, on triangles close to a change of the
+// verdict.
 #ifndef CHECK_PREDICATES_H
 #define CHECK_PREDICATES_H
 
@@ -9,7 +10,7 @@
 #include <CGAL/Bspline_shell_3/Certificate/Second_order_bounds_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
 
-// the double next to a computed one by some units in the last place, or by a random share of `size`
+// Returns a double near x, displaced by some units in the last place, or by a random share of `size`.
 inline double nearby(CGAL::Random& random, double x, double size)
 {
   if(chance(random, 0.1)) {
@@ -20,8 +21,8 @@ inline double nearby(CGAL::Random& random, double x, double size)
   return x + random_distance(random) * size;
 }
 
-// A lower bound of a function on a simplex. Mostly one that is false, but holds at the vertices: where the function
-// sags between them.
+// Returns a lower bound of a function on a simplex. If the function has a smaller value between the vertices, the bound
+// is usually false, but holds at the vertices.
 template <std::size_t size, typename Function>
 double random_bound(CGAL::Random& random, const std::array<Point_3, size>& simplex, const Function& f,
                     double size_of_values)
@@ -34,7 +35,7 @@ double random_bound(CGAL::Random& random, const std::array<Point_3, size>& simpl
   return nearby(random, least, size_of_values);
 }
 
-// how large coefficients are around a point
+// Returns the magnitude of coefficients around a point.
 template <typename Field>
 double magnitude(const Field& field, const Point_3& p)
 {
@@ -59,7 +60,7 @@ void check_compare(Tally& tally, CGAL::Random& random, const Random_cells& cells
   if(!result) {
     tally.count("compare", Verdict::UNDECIDED);
     typename Field::Cell_index c;
-    // the cell that the library looks at may be one of those where there is no value
+    // The library may use another cell at the point, on which there is no value.
     bool has_value = std::isfinite(level) && exact.locate(at, c) == Exact_field<Field>::INSIDE;
     for(auto other : exact.cells_at(at))
       has_value = has_value && exact.bernstein(other) && std::isfinite(exact.field().cell(other).error_radius());
@@ -78,7 +79,7 @@ void check_compare(Tally& tally, CGAL::Random& random, const Random_cells& cells
   if(truth != int(*result)) tally.wrong("compare", "at" + describe(std::array<Point_3, 1>{ p }));
 }
 
-// of the field on one triangle or segment, between levels at its extrema, as far as they can be found
+// Checks the field on one triangle or segment, with levels close to its extrema.
 template <typename Shell, std::size_t size>
 void check_levels(Tally& tally, CGAL::Random& random, const Shell& shell,
                   const BS::Field_predicates_3<typename Shell::Field>& predicates,
@@ -210,7 +211,7 @@ void check_examination(Tally& tally, CGAL::Random& random, const Shell& shell, c
                 BS::Witness(), shell, t, slope, faces_along, Shell::FIELD);
 }
 
-// single facets, and fans
+// Checks single facets, and fans.
 template <typename Shell>
 void check_oracle(Tally& tally, CGAL::Random& random, const Shell& shell, const Triangle& t)
 {
@@ -244,7 +245,7 @@ void check_oracle(Tally& tally, CGAL::Random& random, const Shell& shell, const 
   tally.count("oracle_facet", is_accepted ? Verdict::PROVED : Verdict::UNDECIDED);
   if(is_accepted) check_accepted("oracle_facet", t);
 
-  // a fan in about the same plane
+  // a nearly planar fan
   typename BS::Shell_facet_oracle_3<Field, Threshold>::Memory memory;
   const auto in_plane = [&](double s, double u, const Vector& v) {
     return Point_3(t[0][0] + s * (t[1][0] - t[0][0]) + u * (t[2][0] - t[0][0]) + v[0],

@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-// Returns the boundary of a union of unit cubes, each beside the one before. Where they turn, facets may face no common
+// Returns the boundary of a union of unit cubes, each beside the previous one. At turns, facets may face no common
 // direction. If the boundary is not a surface, the mesh is empty.
 inline Mesh random_cubes(CGAL::Random& random)
 {
@@ -143,7 +143,7 @@ private:
     }
   }
 
-  // Returns the mesh with numbers of which only intervals are known.
+  // Returns the mesh with lazy exact coordinates, which are known as intervals.
   static Lazy_mesh lazy(const Mesh& mesh)
   {
     Lazy_mesh result;
@@ -169,7 +169,7 @@ private:
     m_tally.count("lazy_certificate", is_same, "differs");
   }
 
-  // Moves one vertex. If the mesh is certified all the same, the claims must hold, and the vertex is not on a border.
+  // Moves one vertex. If the mesh is still certified, the claims must hold, and the vertex must not be on a border.
   void check_moved(const Shell& exact, const Certified_shell& shell)
   {
     for(int n = 0; n < 3; ++n) {

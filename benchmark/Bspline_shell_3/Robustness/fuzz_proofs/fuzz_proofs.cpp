@@ -1,10 +1,10 @@
-// Checks what the library proves and refutes, on random input close to where answers change: every answer against exact
-// arithmetic and brute force. One JSON line with the numbers of answers by kind and verdict, and of wrong ones.
+// Checks proofs and refutations of the library against exact arithmetic and brute force, on random input close to
+// changes of the verdict. Prints one JSON line with the numbers of results by kind and verdict, and of wrong ones.
 //
 //   fuzz_proofs --seconds S --seed N [--threads T] [--case C]
 //
-// A case depends on the seed and its number only; how many there are depends on the time. --case: only this one. Wrong
-// answers are described on stderr, by seed and case; then the exit code is 1.
+// A case depends only on the seed and its number; the number of cases depends on the time. --case: only this case.
+// Wrong results are described on stderr, with their seed and case, and the exit code is 1.
 #include "check_certificate.h"
 #include "check_cover.h"
 #include "check_geometry.h"
@@ -25,7 +25,7 @@
 #include <utility>
 #include <vector>
 
-// thresholds at the extrema of the field on a triangle, or next to them
+// Returns thresholds at or close to the extrema of the field on a triangle.
 template <typename Field>
 std::pair<BS::Constant_threshold, BS::Constant_threshold> random_thresholds(CGAL::Random& random, const Random_cells&,
                                                                             const Field& field, const Triangle& t,
@@ -72,7 +72,7 @@ std::pair<BS::Spline_threshold<Field>, BS::Spline_threshold<Field> > random_thre
   return { std::move(inner), std::move(outer) };
 }
 
-// Questions about one field; in each round, thresholds at a triangle.
+// Checks one field; each round has thresholds at a triangle.
 template <typename Field, typename Threshold>
 void check_field(Tally& tally, CGAL::Random& random)
 {
@@ -118,7 +118,7 @@ void check_field(Tally& tally, CGAL::Random& random)
   }
 }
 
-// one case; a function of the two numbers
+// Checks one case, which depends only on the two numbers.
 void check_case(Tally& tally, std::uint64_t seed, std::uint64_t number)
 {
   std::uint64_t hash = seed * 0x9e3779b97f4a7c15u + number;

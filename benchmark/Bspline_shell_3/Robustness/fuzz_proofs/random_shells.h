@@ -52,14 +52,14 @@ inline Vector random_direction(CGAL::Random& random)
   }
 }
 
-// Root cells, in units of which all else is thrown: their corners have integer coordinates, and the domain is [first,
-// last + 1].
+// Root cells, whose width is the unit of all other random lengths. Their corners have integer coordinates, and the
+// domain is within [first, last + 1].
 struct Random_cells
 {
   Root_cells roots;
   Lattice_point first, last;
 
-  // at most so many along an axis
+  // At most `most_cells` along each axis.
   Random_cells(CGAL::Random& random, int most_cells)
   {
     const double spacing = std::ldexp(random.get_double(0.5, 1), random.get_int(-300, 301));
@@ -98,7 +98,7 @@ inline Hierarchical_field zero_field(CGAL::Random& random, const Root_cells& roo
   return Hierarchical_field(random_hierarchy(random, roots, chance(random, 0.1) ? 3 : 2));
 }
 
-// Calls f(point) for the coefficients' lattice points, in units of root cells: a function that is linear gets itself.
+// Returns f(point) for the lattice points of coefficients, in units of root cells. Linear functions are reproduced.
 template <typename Field, typename Function>
 Eigen::VectorXd coefficients(const Field& field, const Function& f)
 {
@@ -113,7 +113,7 @@ Eigen::VectorXd coefficients(const Field& field, const Function& f)
   return x;
 }
 
-// Coefficients of order one, of many kinds.
+// Returns coefficients of order one, of several kinds.
 template <typename Field>
 Eigen::VectorXd random_coefficients(CGAL::Random& random, const Field& field, const Random_cells& cells)
 {
@@ -125,12 +125,12 @@ Eigen::VectorXd random_coefficients(CGAL::Random& random, const Field& field, co
   return coefficients(field, [&](const Vector& u) {
     double x = 0;
     switch(shape) {
-      case 0: x = (u - center).norm() + offset; break; // distance-like
+      case 0: x = (u - center).norm() + offset; break; // similar to a distance
       case 1: x = direction.dot(u - center); break;    // linear
       case 2: x = direction.dot(u - center) + curvature * (u - center).squaredNorm() / 4; break;
       case 3: x = random.get_double(-1, 1); break;
       case 4: x = sign(random) * std::ldexp(random.get_double(0.5, 1), random.get_int(-magnitudes, 1)); break;
-      default: x = 1 + 1e-3 * noise * direction.dot(u); break; // all but constant
+      default: x = 1 + 1e-3 * noise * direction.dot(u); break; // almost constant
     }
     return x + noise * random.get_double(-1, 1);
   });
@@ -151,7 +151,7 @@ Field random_field(CGAL::Random& random, const Random_cells& cells)
   return field;
 }
 
-// what a field says at a rounded point; no number outside
+// Returns the field's value at a rounded point, or NaN outside the domain.
 template <typename Field>
 double rounded_value(const Field& field, const std::array<double, 3>& p)
 {
@@ -183,8 +183,7 @@ inline Vector rounded_normal(const Triangle& t)
   return n / (std::max)(n.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
 }
 
-// As a distance from the decision, relative to what is decided about. Mostly not as near as to keep predicates busy up
-// to their limits.
+// Returns a relative distance from a decision. It is usually not so small that predicates subdivide to their limits.
 inline double random_distance(CGAL::Random& random)
 {
   return chance(random, 0.02)
@@ -192,7 +191,7 @@ inline double random_distance(CGAL::Random& random)
            : sign(random) * (chance(random, 0.3) ? power_of_ten(random, -17.5, -6) : power_of_ten(random, -6, -1));
 }
 
-// Triangles on a lattice, in cell faces, needles, large and tiny ones, partly outside.
+// Returns triangles on a lattice or in cell faces, needles, large and tiny ones, partly outside.
 inline Triangle random_triangle(CGAL::Random& random, const Random_cells& cells)
 {
   for(;;) {
@@ -218,7 +217,7 @@ inline Triangle random_triangle(CGAL::Random& random, const Random_cells& cells)
   }
 }
 
-// Its vertices moved, along the gradient, to where the field has one value: what it does between them then decides.
+// Moves vertices along the gradient to the same value of the field, so that its values between them are decisive.
 template <typename Field>
 Triangle level_triangle(const Field& field, const Triangle& t)
 {
@@ -235,7 +234,7 @@ Triangle level_triangle(const Field& field, const Triangle& t)
   return is_degenerate(result) ? t : result;
 }
 
-// Turned so that the least slope across it is near zero, or that it is less than zero but not at the vertices.
+// Turns a triangle so that the least slope across it is near zero, or negative but positive at the vertices.
 template <typename Field>
 Triangle grazing_triangle(CGAL::Random& random, const Field& field, const Triangle& t)
 {
@@ -253,7 +252,7 @@ Triangle grazing_triangle(CGAL::Random& random, const Field& field, const Triang
     triangle[2] = Point_3(t[0][0] + r[0], t[0][1] + r[1], t[0][2] + r[2]);
     return triangle;
   };
-  // on a grid of so many parts of an edge
+  // Returns the least slope on a grid with `parts` steps along an edge.
   const auto least_slope = [&](const Triangle& triangle, int parts) {
     const Vector n = rounded_normal(triangle);
     double least = std::numeric_limits<double>::infinity();

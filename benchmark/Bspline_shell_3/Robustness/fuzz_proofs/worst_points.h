@@ -1,4 +1,4 @@
-// Where a function is least on a segment or a triangle, nearly: points that are worth an exact look.
+// Approximate minimizers of a function on a segment or a triangle, as candidates for exact checks.
 #ifndef WORST_POINTS_H
 #define WORST_POINTS_H
 
@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-// barycentric coordinates, in units of 2^-barycentric_bits
+// Barycentric coordinates, in units of 2^-barycentric_bits.
 template <std::size_t size>
 using Barycentric = std::array<std::int64_t, size>;
 constexpr int barycentric_bits = 26;
@@ -43,7 +43,8 @@ Dyadic_vector exact_point(const std::array<Point, size>& simplex, const Barycent
   return exact_point(simplex, barycentric);
 }
 
-// `f`, of a rounded point, on a grid; from its least places downhill. What is no number is the least. Best first.
+// Evaluates `f` at rounded points of a grid, and descends from its least places. NaN counts as the least value. Sorted,
+// least first.
 template <typename Point, std::size_t size, typename Function>
 std::vector<Barycentric<size> > worst_points(const std::array<Point, size>& simplex, const Function& f,
                                              int grid = size == 3 ? 12 : 32, std::size_t starts = 2)

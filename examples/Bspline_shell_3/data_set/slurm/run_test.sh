@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Makes a small data set through a Slurm of one node, which is set up in a temporary folder and removed again:
+# Processes a small data set by a Slurm cluster of one node, which is set up in a temporary folder and removed
+# afterwards:
 #   sudo bash run_test.sh PROGRAM MESH...       (PROGRAM: simplify_and_transfer)
-# Needs the Debian packages slurmctld, slurmd, slurm-client, munge and snakemake, and root. Where these are missing, or Slurm or munge are running
-# already, nothing is done, and the exit code is 77.
+# Requires root, and the Debian packages slurmctld, slurmd, slurm-client, munge and snakemake. If a requirement is
+# missing, or Slurm is already running, the exit code is 77.
 set -euo pipefail
 skip() { echo "Skipped: $1" >&2; exit 77; }
 here=$(cd "$(dirname "$0")" && pwd)
@@ -25,7 +26,7 @@ stop() {
 }
 trap stop EXIT
 
-# Daemons authenticate each other by a munge of their own.
+# Daemons authenticate each other by a separate munge daemon.
 mkdir -m 755 "$work"/munge
 dd if=/dev/urandom of="$work/munge/key" bs=128 count=1 status=none
 chmod 400 "$work/munge/key"
@@ -33,7 +34,7 @@ munged --foreground --force --key-file="$work/munge/key" --socket="$work/munge/s
        --log-file="$work/munge/log" >/dev/null 2>&1 &
 daemons+=($!)
 
-# ports of other users' daemons are left alone
+# free ports, not those of other users' daemons
 port() { python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])'; }
 host=$(hostname -s)
 mkdir "$work/state" "$work/spool"

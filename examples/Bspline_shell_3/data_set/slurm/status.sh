@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Says what became of a job of Slurm, for snakemake: running, success or failed. Needs no accounting.
+# Prints the state of a Slurm job for snakemake: running, success or failed. Does not require accounting.
 for attempt in 1 2 3; do
   state=$(scontrol -o show job "$1" 2>/dev/null | grep -o 'JobState=[A-Z_]*') && break
   state=$(sacct -X -n -P -j "$1" -o State 2>/dev/null | head -n 1) && [ -n "$state" ] && break
