@@ -176,7 +176,7 @@ def critical_point(axes):
 
 
 def end_of_domain(axes):
-    size, step, low, high = 0.3, -0.3, 0.4, 1.0         # of the cells; the domain ends at `high` before `step`, and at `low` behind it
+    size, step, low, high = 0.3, -0.3, 0.4, 1.0         # cell size; the domain ends at `high` before `step`, and at `low` behind it
 
     def domain(x, y):
         return y < np.where(np.asarray(x) < step, high, low)
@@ -198,7 +198,7 @@ def overhang(axes):
     def leaves_and_returns(curve):
         longer = panel.curve(curve[1], lambda p: curve[0][1] <= p[1] < WINDOW[3])
         inside = np.array([panel.contains(p) for p in longer])
-        first, last = np.argmin(inside), len(inside) - 1 - np.argmax(inside[::-1])       # of those outside, of those inside
+        first, last = np.argmin(inside), len(inside) - 1 - np.argmax(inside[::-1])       # ends of the part inside
         if first < last:
             axes.plot(*longer[first:last].T, color=FAILURE, lw=1.3, ls=":", zorder=3)
         return first < last

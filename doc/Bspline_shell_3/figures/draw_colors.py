@@ -60,7 +60,7 @@ def draw_sides(prefix, picture):
         image = render([surface(data, ambient=0.35)] + ([edges(data, MESH, 0.5)] if part == "painted" else []), size, *view)
         show(fig.add_subplot(grid[0, n]), image, title)
 
-    # a cut through the wall, and what is closest to points of the bowl that are inside
+    # A cut through the wall, and the closest points of points inside the bowl.
     axes = fig.add_subplot(grid[1, :])
     cut = plane((0, 0, 0), (0, 1, 0))
     for data, width in ((coarse, 3.5), (bowl, 1.5)):

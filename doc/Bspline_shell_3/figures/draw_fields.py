@@ -8,9 +8,9 @@ from palette import FACET, INNER, OUTER, figure, save
 from rendering import balls, edges, fit, polydata, render, show, surface, tubes
 
 LINE, EDGE = "#1f5a78", "#a39d90"
-DISTANCE, LENGTH = 0.016, 0.35      # of streamlines from each other, and of their halves, of the box
+DISTANCE, LENGTH = 0.016, 0.35      # spacing of streamlines and length of their halves, parts of the box
 SEEDS = 8000
-SEED = 1                # of random numbers
+SEED = 1                # seed of the random numbers
 
 
 def read_field(name):
@@ -50,7 +50,7 @@ class Flow:
         self.normals = unit(np.cross(points[triangles[:, 1]] - self.origins, points[triangles[:, 2]] - self.origins))
         x = unit(points[triangles[:, 1]] - self.origins)
         self.axes = np.stack([x, np.cross(self.normals, x)], axis=1)
-        # in the plane of each facet: corners, and for the edges from corner to corner their directions and the normals inwards
+        # Each facet has its corners in its plane, and the directions and inward normals of its edges.
         self.corners = np.einsum("fij,fcj->fci", self.axes, points[triangles] - self.origins[:, None])
         sides = np.roll(self.corners, -1, axis=1) - self.corners
         self.sides = unit(sides)

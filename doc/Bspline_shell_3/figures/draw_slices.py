@@ -15,8 +15,8 @@ from matplotlib.patches import Patch, Rectangle
 from palette import CELL, CURVE, FAILURE, INNER, MESH, OUTER, SHELL, figure, save
 from slices import Slice, section
 
-Z = 0.0                 # of the plane
-NEAR = 0.02             # how far from it points may be that are shown in it: less than a cell
+Z = 0.0                 # height of the plane
+NEAR = 0.02             # largest distance of points shown in the plane: less than a cell
 BODY = (-0.335, 0.335, -0.55, 0.552)        # windows
 GAP = (-0.085, 0.085, -0.518, -0.375)
 

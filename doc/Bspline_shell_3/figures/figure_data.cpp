@@ -1,10 +1,10 @@
-// Writes what the figures of the manual show; make_figures.sh says which.
+// Writes the data of the manual's figures. make_figures.sh lists the calls.
 //
 //   figure_data rounds  MESH PREFIX THICKNESS           the shell after each round of refinement
 //   figure_data curves  MESH PREFIX THICKNESS FACETS    a simplified mesh, the surfaces of the shell, and curves
 //                       between them
 //   figure_data remesh  MESH PREFIX THICKNESS EDGES     a remeshed mesh, EDGES along the longest side of the box
-//   figure_data open    MESH PREFIX THICKNESS FACETS    what closes an open mesh, and a simplified mesh
+//   figure_data open    MESH PREFIX THICKNESS FACETS    the closing of an open mesh, and a simplified mesh
 //   figure_data sides  MESH PREFIX THICKNESS            colors of the two sides of a bowl, carried by the closest point
 //                      and by the map
 //   figure_data texture MESH PREFIX THICKNESS FACETS    a simplified mesh with the texture coordinates of the mesh

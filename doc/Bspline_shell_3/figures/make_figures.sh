@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Remakes the figures of the manual that this folder has scripts for, in doc/Bspline_shell_3/fig (Debian 12):
+# Draws the figures of the manual in doc/Bspline_shell_3/fig again (Debian 12):
 #   bash doc/Bspline_shell_3/figures/make_figures.sh
-# Installs what is missing, builds the programs of the gallery, runs them on meshes of the Debian package libcgal-demo, and draws what they write.
-# The pictures of shells of the elephant are drawn by examples/Bspline_shell_3/render_shell.py.
+# Installs missing packages, builds the programs of the gallery, runs them on meshes of the Debian package libcgal-demo,
+# and draws their output. examples/Bspline_shell_3/render_shell.py draws the pictures of shells of the elephant.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 . cmake/install_packages.sh
@@ -39,7 +39,7 @@ cp "$build/data/meshes/anchor.off" "$data/bent"
 echo "elastic_proxy anchor.off 25"
 (cd "$data/bent" && "$build/elastic_proxy" anchor.off 25)
 
-export PYTHONPATH=examples/Bspline_shell_3 PYTHONDONTWRITEBYTECODE=1        # for render_shell.py
+export PYTHONPATH=examples/Bspline_shell_3 PYTHONDONTWRITEBYTECODE=1        # render_shell.py is there
 /usr/bin/python3 "$here/draw_claims.py" "$fig/claims.png"
 /usr/bin/python3 "$here/draw_slices.py" "$data/homer" "$fig"
 xvfb-run -a /usr/bin/python3 "$here/draw_meshes.py" "$data" "$fig"

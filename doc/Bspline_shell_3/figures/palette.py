@@ -10,7 +10,7 @@ from PIL import Image
 INNER, OUTER, MESH, OTHER_MESH = "#336bd9", "#d94033", "#1a1a1a", "#008c40"     # as in render_shell.py
 SHELL, FACET, CURVE, FAILURE, CELL = "#f6e8d2", "#edebe6", "#e08a00", "#b000a0", "#b8bec8"
 
-WIDTH = 900         # of a picture, in pixels
+WIDTH = 900         # width of a picture, pixels
 DPI = 100
 SCALE = 1.5         # pixels of the file for one of the width: there are displays with small ones
 plt.rcParams.update({"font.family": "DejaVu Sans", "font.size": 11, "axes.titlesize": 12, "mathtext.fontset": "dejavusans",
