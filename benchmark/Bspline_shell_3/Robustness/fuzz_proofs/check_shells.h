@@ -154,8 +154,9 @@ private:
       result.add_vertex(Lazy_kernel::Point_3(number(p.x()), number(p.y()), number(p.z())));
     }
     for(auto f : mesh.faces()) {
+      // A new facet has the halfedge to its first vertex: that of `f`, so that locations are the same.
       const auto h = mesh.halfedge(f);
-      result.add_face(mesh.source(h), mesh.target(h), mesh.target(mesh.next(h)));
+      result.add_face(mesh.target(h), mesh.target(mesh.next(h)), mesh.source(h));
     }
     return result;
   }
