@@ -17,7 +17,7 @@ int main(int argc, char** argv)
   Shell shell;
   if(const auto code = begin_example(argc, argv, mesh, shell, moved)) return *code;
 
-  // for a single use: points in space
+  // Single use: points in space.
   std::vector<Kernel::Point_3> points;
   for(Mesh::Edge_index e : mesh.edges())
     points.push_back(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
@@ -31,7 +31,7 @@ int main(int argc, char** argv)
             << first.point << "\non facet " << first.location.first << ", barycentric coordinates "
             << first.location.second[0] << " " << first.location.second[1] << " " << first.location.second[2] << "\n";
 
-  // for repeated use: locations on the meshes
+  // Repeated use: locations on the meshes.
   const Map map(shell, mesh, moved);
   std::vector<Map::Target_location> locations;
   for(const auto& image : images) {

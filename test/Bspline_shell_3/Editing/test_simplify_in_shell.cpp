@@ -450,7 +450,7 @@ TEST_CASE("Simplification: visitor and filter of the caller are called in the do
 }
 
 namespace {
-// has memory of its own
+// A filter that owns memory: a dangling reference to it would be seen by a sanitizer.
 struct Far_from_points
 {
   std::vector<Point_3> points;

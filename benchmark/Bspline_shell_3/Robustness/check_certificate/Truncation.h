@@ -71,7 +71,7 @@ class Truncation
   struct Disc
   {
     Index center;
-    std::vector<Index> rim, facet; // for each edge of the rim, the cut facet that contains it
+    std::vector<Index> rim, facet; // the edges of the rim, and the cut facets that contain them
     std::vector<Triple> triangle;
     Index next(std::size_t i) const { return rim[(i + 1) % rim.size()]; }
   };
@@ -426,7 +426,7 @@ private:
 
   Index corners = 0;                // the number of vertices of U
   std::vector<Point> point;         // corners of cut facets, cuts, points within discs
-  std::vector<Planar_point> planar; // for all points except corners
+  std::vector<Planar_point> planar; // all points except corners
   std::vector<Cut> cut;
   std::vector<Triple> cut_facet;
   std::vector<Core> core;

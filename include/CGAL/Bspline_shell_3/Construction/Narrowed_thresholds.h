@@ -347,7 +347,7 @@ private:
   std::optional<Shell_thresholds_3<Field> > m_wanted;
   bool m_is_constant = false;
   std::vector<Cap> m_caps;                     // caps of the last thresholds
-  std::unique_ptr<Threshold> m_inner, m_outer; // at fixed addresses, since certificates refer to them
+  std::unique_ptr<Threshold> m_inner, m_outer; // certificates refer to them
   std::optional<Examined> m_examined;
   std::map<Cell_and_side, Threshold_obstacle> m_tight;
   double m_undecided_volume = std::numeric_limits<double>::infinity();

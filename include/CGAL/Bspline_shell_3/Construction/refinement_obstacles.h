@@ -43,7 +43,7 @@ std::vector<Refinement_obstacle> refinement_obstacles(
   const std::map<Cell_hierarchy_3::Index, std::array<double, 3> >& places)
 {
   constexpr std::size_t most = 1000, chunk = 16;
-  constexpr double far = 4; // in widths of the cell
+  constexpr double far = 4; // cell widths
   const std::vector<std::pair<Cell_hierarchy_3::Index, std::array<double, 3> > > list(places.begin(), places.end());
   std::vector<Refinement_obstacle> result(list.size());
   internal::for_each_chunk<ConcurrencyTag>(list.size(), chunk, [&](std::size_t begin, std::size_t end) {

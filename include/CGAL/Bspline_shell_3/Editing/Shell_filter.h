@@ -36,7 +36,7 @@ struct Permissive_filter
  * \ingroup PkgBsplineShell3Editing
  *
  * \brief a filter for `CGAL::Surface_mesh_simplification::edge_collapse()` that keeps a mesh in a shell. A placement
- * passes only if the oracle accepts the facets at the new vertex, which are all that change, and their fan.
+ * passes only if the oracle accepts the facets at the new vertex and their fan. No other facets change.
  *
  * Assume that the facets of a mesh lie in the shell and face along the gradient, and that all its fans wind once. A
  * collapse that passes the filter preserves this property:
@@ -122,7 +122,7 @@ private:
     link.reserve(triangles.size() - first);
     for(std::size_t n = first; n < triangles.size(); ++n) {
       const std::size_t next = n + 1 < triangles.size() ? n + 1 : first;
-      if(triangles[n].v0 != triangles[next].v2) return Placement_verdict::LEAVES_SHELL; // at a border
+      if(triangles[n].v0 != triangles[next].v2) return Placement_verdict::LEAVES_SHELL; // border
       link.push_back(internal::converted<Point_3>(get(vpm, triangles[n].v2)));
     }
     return (*m_oracle)(internal::converted<Point_3>(p), link, m_state->memory);

@@ -163,7 +163,7 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
   static_assert(std::is_same<typename Geom_traits::FT, double>::value,
                 "The coordinates must be doubles: others would be rounded.");
   typedef typename GetVertexPointMap<TriangleMesh, CGAL_NP_CLASS>::type Vertex_point_map;
-  typedef typename boost::property_traits<Vertex_point_map>::value_type Point; // of the mesh
+  typedef typename boost::property_traits<Vertex_point_map>::value_type Point; // the mesh's
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
   typedef Bspline_shell_3<Field, Threshold> Shell;

@@ -22,9 +22,9 @@ namespace Bspline_shells {
  */
 struct Fitted_part
 {
-  std::vector<char> coefficients;  ///< for each free coefficient, whether it is fitted
-  std::vector<char> points;        ///< for each point, whether its coefficient is fitted or depends on a fitted one
-  std::vector<char> cells;         ///< for each cell, whether a fitted coefficient acts on it
+  std::vector<char> coefficients;  ///< 1 for each fitted coefficient
+  std::vector<char> points;        ///< 1 for each point whose coefficient is fitted or depends on a fitted one
+  std::vector<char> cells;         ///< 1 for each cell on which a fitted coefficient acts
   std::size_t number_of_cells = 0; ///< number of cells on which a fitted coefficient acts
 
   Fitted_part() = default;

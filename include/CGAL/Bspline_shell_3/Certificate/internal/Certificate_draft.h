@@ -39,7 +39,7 @@ inline Certificate_witness witness(Claim claim, Verdict verdict, Certificate_wit
 // A report that is being written. Claims that were not examined are undecided.
 struct Certificate_draft : Certificate_report
 {
-  // The claim is proved unless a witness says otherwise.
+  // Sets the claim to proved. Witnesses lower the verdict.
   void begin(Claim claim) { verdicts[std::size_t(claim)] = Verdict::PROVED; }
 
   // Lowers the claim's verdict.

@@ -27,7 +27,7 @@ namespace internal {
 struct Component_paths
 {
   std::vector<Crossing_path> paths;
-  bool are_of_certificate = false; // of the shell: there is one through each component
+  bool are_of_certificate = false; // the shell is certified, and each of its components has a path
   bool are_proved = true;
 
   // Keeps only the paths that are proved to lead through the shell.

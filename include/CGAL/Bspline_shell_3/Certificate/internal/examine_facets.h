@@ -48,7 +48,7 @@ double least_slope_at_some_corners(const Second_order_bounds_3<Field, Threshold>
 struct Facet_examination
 {
   std::vector<Facet_verdict> facets;
-  double least_slope = 0; // of a facet; infinite without facets
+  double least_slope = 0; // smallest slope of a facet; infinite without facets
 };
 
 // Examines P1 and P2.

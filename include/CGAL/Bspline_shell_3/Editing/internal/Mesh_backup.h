@@ -93,7 +93,7 @@ private:
   VertexPointMap m_vpm;
   EdgeIsConstrainedMap m_edge_is_constrained;
   std::vector<Point> m_points;
-  std::vector<char> m_is_constrained; // in the order of edges(mesh)
+  std::vector<char> m_is_constrained; // values, ordered as edges(mesh)
 };
 
 } // namespace internal
