@@ -142,7 +142,7 @@ bool is_critical(const Examined_shell<Field, Threshold>& shell, const Shell_cove
   return shell.contains(converted<Point_3>(p), converted<Point_3>(nearest));
 }
 
-constexpr std::size_t max_examined_boxes = 64; // undecided boxes that are searched for a critical point
+inline constexpr std::size_t max_examined_boxes = 64; // undecided boxes that are searched for a critical point
 
 // Examines P3, given P1: the mesh's components stay in the components of their seeds. Returns the components of the
 // mesh that share a component of the cover.

@@ -26,10 +26,12 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-constexpr std::size_t max_paths = 64; // paths tried for a component
+inline constexpr std::size_t max_paths = 64; // paths tried for a component
 // Barycentric coordinates of the points at which paths pass facets; the first one for all facets, then the next.
-constexpr std::array<std::array<double, 3>, 4> path_points = { { { 1, 1, 1 }, { 2, 1, 1 }, { 1, 2, 1 }, { 1, 1, 2 } } };
-constexpr std::size_t max_spare_paths = 3; // per component
+inline constexpr std::array<std::array<double, 3>, 4> path_points = {
+  { { 1, 1, 1 }, { 2, 1, 1 }, { 1, 2, 1 }, { 1, 1, 2 } }
+};
+inline constexpr std::size_t max_spare_paths = 3; // per component
 
 // Returns the facets of a component through which paths are tried. Large facets, whose middles are far from edges,
 // alternate with facets from everywhere. The largest facets of a symmetric mesh may be copies of each other, and all
