@@ -8,13 +8,16 @@
 
 #include <CGAL/Bspline_shell_3/Construction/Shell_construction.h>
 #include <CGAL/Bspline_shell_3/Construction/build_uniform_shell.h>
+#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
 
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace CGAL {
 
@@ -139,8 +142,16 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
   invalid.check("time_limit", max_seconds, BS::Parameter_bounds::positive_or_infinite());
   if(invalid) return Bspline_shell_3<>(construction.refuse(invalid));
   return construction.run<Bspline_shell_3<> >([&] {
-    const BS::Shell_status checked = construction.check<ConcurrencyTag>(mesh, np);
-    if(checked != BS::Shell_status::SUCCESS) return Bspline_shell_3<>(construction.end(checked));
+    BS::Shell_status status = construction.start_check();
+    if(status == BS::Shell_status::SUCCESS) {
+      BS::Input_mesh_3 input;
+      input.build<ConcurrencyTag>(
+        mesh,
+        choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh)),
+        BS::tolerated_defects(np));
+      status = construction.take(std::move(input));
+    }
+    if(status != BS::Shell_status::SUCCESS) return Bspline_shell_3<>(construction.end(status));
 
     // copied, unless passed by reference
     [[maybe_unused]] auto&& distance = get_parameter_reference(np, tags::signed_distance_oracle);

@@ -6,18 +6,15 @@
 #ifndef CGAL_CERTIFIED_BSPLINE_SHELL_3_H
 #define CGAL_CERTIFIED_BSPLINE_SHELL_3_H
 
-#include <CGAL/Bspline_shell_3/Closing/close_virtually.h>
 #include <CGAL/Bspline_shell_3/Construction/Shell_construction.h>
 #include <CGAL/Bspline_shell_3/Construction/build_certified_shell.h>
+#include <CGAL/Bspline_shell_3/Construction/prepare_mesh.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
-#include <CGAL/Bspline_shell_3/Truncation/truncate_mesh.h>
 
-#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
-#include <array>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -172,6 +169,10 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh,
   [[maybe_unused]] auto&& sizing = get_parameter_reference(np, tags::sizing);
   if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::sizing_t>::value)
     parameters.sizing = [&sizing](const Certified_bspline_shell_3::Point_3& p) { return double(sizing(p)); };
+  if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::closing_t>::value)
+    parameters.closing = std::make_shared<const BS::Shell_closing_3>(get_parameter_reference(np, tags::closing));
+  parameters.closes_virtually = choose_parameter(get_parameter(np, tags::virtual_closing), parameters.closes_virtually);
+  parameters.truncates = choose_parameter(get_parameter(np, tags::truncate), parameters.truncates);
   parameters.least_cone_margin = choose_parameter(get_parameter(np, tags::least_cone_margin),
                                                   parameters.least_cone_margin);
   BS::Refinement_parameters& refinement = parameters.refinement;
@@ -188,34 +189,14 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh,
   BS::Invalid_parameter invalid = parameters.invalid();
   invalid.check("time_limit", max_seconds, BS::Parameter_bounds::positive_or_infinite());
   if(invalid) return Certified_bspline_shell_3(construction.refuse(invalid));
-  BS::Input_mesh_3::Closer closer;
-  if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::closing_t>::value)
-    closer = BS::Input_mesh_3::closer(
-      std::make_shared<const BS::Shell_closing_3>(get_parameter_reference(np, tags::closing)));
-  else if(choose_parameter(get_parameter(np, tags::virtual_closing), true))
-    closer = [&](const BS::Input_mesh_3::Triangle_mesh& open) {
-      const Bbox_3 box = Polygon_mesh_processing::bbox(open);
-      const double unit = (std::max)({ box.x_span(), box.y_span(), box.z_span() });
-      return BS::close_virtually<ConcurrencyTag>(open, parameters.closing_offset(unit), construction.report().closing);
-    };
-  BS::Input_mesh_3::Truncator truncator;
-  if(choose_parameter(get_parameter(np, tags::truncate), true)
-     && !choose_parameter(get_parameter(np, internal_np::allow_self_intersections), false))
-    truncator = [&](const BS::Input_mesh_3& input) {
-      const double thickness = parameters.largest_thickness(input.unit());
-      return BS::truncate_mesh<ConcurrencyTag>(
-        input,
-        [&](const std::array<double, 3>& p) {
-          const double here = parameters.sizing
-                                ? parameters.sizing(Certified_bspline_shell_3::Point_3(p[0], p[1], p[2]))
-                                : thickness;
-          return parameters.largest_tip(here > 0 ? here : thickness);
-        },
-        parameters.least_cone_margin, construction.report().truncation);
-    };
   return construction.run<Certified_bspline_shell_3>([&] {
-    const BS::Shell_status checked = construction.check<ConcurrencyTag>(mesh, np, closer, truncator);
-    if(checked != BS::Shell_status::SUCCESS) return Certified_bspline_shell_3(construction.end(checked));
+    BS::Shell_status status = construction.start_check();
+    if(status == BS::Shell_status::SUCCESS)
+      status = construction.take(BS::prepare_mesh<ConcurrencyTag>(
+        mesh,
+        choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh)),
+        BS::tolerated_defects(np), parameters, construction.report()));
+    if(status != BS::Shell_status::SUCCESS) return Certified_bspline_shell_3(construction.end(status));
 
     // copied, unless passed by reference
     [[maybe_unused]] auto&& distance = get_parameter_reference(np, tags::signed_distance_oracle);

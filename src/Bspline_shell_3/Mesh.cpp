@@ -12,6 +12,7 @@
 
 #include <CGAL/tags.h>
 
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,11 +26,20 @@ template std::optional<std::vector<std::pair<Crossing_counter_3::Face_index, int
 template std::optional<std::vector<std::pair<Crossing_counter_3::Face_index, int> > > Crossing_counter_3::crossings<
   Parallel_tag>(const Point_3&, const Point_3&) const;
 #endif
-template Shell_status Input_mesh_3::copy<Parallel_if_available_tag>(
-  const Input_mesh_3::Triangle_mesh&, boost::property_map<Input_mesh_3::Triangle_mesh, vertex_point_t>::const_type);
-template Shell_status Input_mesh_3::check<Sequential_tag>(const Tolerated_defects&, const Closer&, const Truncator&);
+template Mesh_refusal copy_mesh<Parallel_if_available_tag>(
+  const Mesh_with_origins::Triangle_mesh&,
+  boost::property_map<Mesh_with_origins::Triangle_mesh, vertex_point_t>::const_type, Mesh_with_origins&);
+template Shell_status Input_mesh_3::build<Sequential_tag>(Mesh_refusal, Mesh_with_origins, const Tolerated_defects&,
+                                                          std::shared_ptr<const Shell_closing_3>,
+                                                          std::shared_ptr<const Shell_truncation_3>);
+template Shell_status Input_mesh_3::take<Sequential_tag>(Mesh_refusal, Mesh_with_origins, const std::vector<char>&,
+                                                         const Tolerated_defects&);
 #ifdef CGAL_LINKED_WITH_TBB
-template Shell_status Input_mesh_3::check<Parallel_tag>(const Tolerated_defects&, const Closer&, const Truncator&);
+template Shell_status Input_mesh_3::build<Parallel_tag>(Mesh_refusal, Mesh_with_origins, const Tolerated_defects&,
+                                                        std::shared_ptr<const Shell_closing_3>,
+                                                        std::shared_ptr<const Shell_truncation_3>);
+template Shell_status Input_mesh_3::take<Parallel_tag>(Mesh_refusal, Mesh_with_origins, const std::vector<char>&,
+                                                       const Tolerated_defects&);
 #endif
 
 } // namespace Bspline_shells

@@ -10,11 +10,11 @@
 namespace CGAL {
 namespace Bspline_shells {
 
-template Input_mesh_3::Closed close_virtually<Sequential_tag>(const Input_mesh_3::Triangle_mesh&, double,
-                                                              Closing_report&);
+template Virtual_closing close_virtually<Sequential_tag>(const Mesh_with_origins::Triangle_mesh&, double,
+                                                         Closing_report&);
 #ifdef CGAL_LINKED_WITH_TBB
-template Input_mesh_3::Closed close_virtually<Parallel_tag>(const Input_mesh_3::Triangle_mesh&, double,
-                                                            Closing_report&);
+template Virtual_closing close_virtually<Parallel_tag>(const Mesh_with_origins::Triangle_mesh&, double,
+                                                       Closing_report&);
 #endif
 
 } // namespace Bspline_shells

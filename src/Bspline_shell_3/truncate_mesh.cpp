@@ -11,10 +11,10 @@ namespace CGAL {
 namespace Bspline_shells {
 
 template std::shared_ptr<const Shell_truncation_3> truncate_mesh<Sequential_tag>(
-  const Input_mesh_3&, const std::function<double(const std::array<double, 3>&)>&, double, Truncation_report&);
+  const Mesh_with_origins&, const std::function<double(const std::array<double, 3>&)>&, double, Truncation_report&);
 #ifdef CGAL_LINKED_WITH_TBB
 template std::shared_ptr<const Shell_truncation_3> truncate_mesh<Parallel_tag>(
-  const Input_mesh_3&, const std::function<double(const std::array<double, 3>&)>&, double, Truncation_report&);
+  const Mesh_with_origins&, const std::function<double(const std::array<double, 3>&)>&, double, Truncation_report&);
 #endif
 
 } // namespace Bspline_shells

@@ -127,9 +127,8 @@ std::vector<std::pair<std::string, Sizing> > sizings(const Shell& shell, const M
                                                             [length](const Kernel::Point_3&) { return length; } } };
   BS::Input_mesh_3 input;
   if(!(grading > 1)
-     || input.build<CGAL::Sequential_tag>(mesh, mesh.points(), BS::Input_mesh_3::Tolerated_defects(),
-                                          BS::Input_mesh_3::closer(shell.closing()),
-                                          BS::Input_mesh_3::truncator(shell.truncation()))
+     || input.build<CGAL::Sequential_tag>(mesh, mesh.points(), BS::Input_mesh_3::Tolerated_defects(), shell.closing(),
+                                          shell.truncation())
           != BS::Shell_status::SUCCESS)
     return result;
   const BS::Local_gap_3 gap(input);

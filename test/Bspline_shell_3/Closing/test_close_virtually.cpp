@@ -55,7 +55,7 @@ void remove_faces(Mesh& mesh, const std::function<bool(const Point_3&)>& is_remo
 // Returns the closed mesh, after checks of its guarantees.
 Mesh closed(const Mesh& mesh, double offset, BS::Closing_report& report)
 {
-  const BS::Input_mesh_3::Closed found = BS::close_virtually<CGAL::Sequential_tag>(mesh, offset, report);
+  const BS::Virtual_closing found = BS::close_virtually<CGAL::Sequential_tag>(mesh, offset, report);
   REQUIRE(found.status == Status::SUCCESS);
   REQUIRE(found.closing);
   CHECK(found.offending_facets.empty());

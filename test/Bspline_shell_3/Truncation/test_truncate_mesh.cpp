@@ -1,6 +1,8 @@
 // truncate_mesh.h: singular vertices are replaced by discs with a margin, without intersections. Vertices that cannot
 // be truncated are reported; other vertices are unchanged.
 #include <CGAL/Bspline_shell_3/Truncation/truncate_mesh.h>
+#include <CGAL/Bspline_shell_3/Mesh/attach_closing.h>
+#include <CGAL/Bspline_shell_3/Mesh/validate_mesh.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include "test_meshes.h"
 
@@ -24,17 +26,16 @@ namespace BS = CGAL::Bspline_shells;
 namespace PMP = CGAL::Polygon_mesh_processing;
 typedef BS::Truncation_report::Outcome Outcome;
 
-BS::Input_mesh_3 input(const Mesh& mesh, const BS::Input_mesh_3::Closer& closer = BS::Input_mesh_3::Closer())
+BS::Mesh_with_origins input(const Mesh& mesh)
 {
-  BS::Input_mesh_3 result;
-  BS::Input_mesh_3::Tolerated_defects tolerated;
-  tolerated.singular_vertices = true;
-  REQUIRE(result.build<CGAL::Sequential_tag>(mesh, mesh.points(), tolerated, closer) == BS::Shell_status::SUCCESS);
-  return result;
+  BS::Mesh_with_origins copy;
+  REQUIRE_FALSE(BS::copy_mesh<CGAL::Sequential_tag>(mesh, mesh.points(), copy));
+  REQUIRE_FALSE(BS::internal::validate_mesh<CGAL::Sequential_tag>(copy, true));
+  return copy;
 }
 
-std::shared_ptr<const BS::Shell_truncation_3> truncation(const BS::Input_mesh_3& mesh, double radius, double margin,
-                                                         BS::Truncation_report& report)
+std::shared_ptr<const BS::Shell_truncation_3> truncation(const BS::Mesh_with_origins& mesh, double radius,
+                                                         double margin, BS::Truncation_report& report)
 {
   return BS::truncate_mesh<CGAL::Sequential_tag>(
     mesh, [radius](const std::array<double, 3>&) { return radius; }, margin, report);
@@ -43,12 +44,12 @@ std::shared_ptr<const BS::Shell_truncation_3> truncation(const BS::Input_mesh_3&
 // Returns the truncated mesh, after checks of its guarantees.
 Mesh truncated(const Mesh& mesh, double radius, double margin, BS::Truncation_report& report)
 {
-  const BS::Input_mesh_3 checked = input(mesh);
+  const BS::Mesh_with_origins checked = input(mesh);
   const auto found = truncation(checked, radius, margin, report);
   REQUIRE(found);
   CHECK(found->is_valid());
   CHECK(found->discs().size() == report.truncated());
-  Mesh result = checked.mesh();
+  Mesh result = checked.mesh;
   const auto applied = found->apply(result, result.points());
   REQUIRE(applied);
   CHECK(applied->patches > 0);
@@ -164,8 +165,10 @@ TEST_CASE("Singular vertices on the border of an open mesh are named")
   const auto closing = std::make_shared<const BS::Shell_closing_3>(
     points, 3, std::vector<BS::Shell_closing_3::Triangle>{ { 0, 1, 2 } },
     std::vector<BS::Shell_closing_3::Kind>{ BS::Shell_closing_3::Kind::CAP });
+  BS::Mesh_with_origins closed = input(open);
+  REQUIRE_FALSE(BS::internal::attach_closing<CGAL::Sequential_tag>(closing, closed));
   BS::Truncation_report report;
-  CHECK_FALSE(truncation(input(open, BS::Input_mesh_3::closer(closing)), 0.1, 0.05, report));
+  CHECK_FALSE(truncation(closed, 0.1, 0.05, report));
   REQUIRE(report.vertices.size() == 1);
   CHECK(report.vertices.front().outcome == Outcome::ON_BORDER);
   CHECK(open.point(Mesh::Vertex_index(report.vertices.front().vertex)) == corner);
@@ -213,7 +216,7 @@ TEST_CASE("Truncation does not depend on scale, rotation and threads")
   }
 #ifdef CGAL_LINKED_WITH_TBB
   BS::Truncation_report report;
-  const BS::Input_mesh_3 mesh = input(screw(5));
+  const BS::Mesh_with_origins mesh = input(screw(5));
   const auto parallel = BS::truncate_mesh<CGAL::Parallel_tag>(
     mesh, [](const std::array<double, 3>&) { return 0.2; }, 0.05, report);
   const auto sequential = truncation(mesh, 0.2, 0.05, report);

@@ -125,8 +125,7 @@ public:
     Input_mesh_3::Tolerated_defects tolerated;
     tolerated.self_intersections = tolerated.singular_vertices = tolerated.orientation = true;
     auto input = std::make_shared<Input_mesh_3>();
-    input->template build<ConcurrencyTag>(mesh, vpm, tolerated, Input_mesh_3::closer(m_closing),
-                                          Input_mesh_3::truncator(m_truncation));
+    input->template build<ConcurrencyTag>(mesh, vpm, tolerated, m_closing, m_truncation);
     return verify<ConcurrencyTag>(std::shared_ptr<const Input_mesh_3>(std::move(input)));
   }
 

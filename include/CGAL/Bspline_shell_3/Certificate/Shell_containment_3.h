@@ -150,8 +150,8 @@ public:
     Input_mesh_3::Tolerated_defects tolerated;
     tolerated.self_intersections = tolerated.singular_vertices = tolerated.orientation = true;
     Input_mesh_3 input;
-    const Input_mesh_3::Closer closer = Input_mesh_3::closer(m_shell->closing());
-    if(input.template build<Sequential_tag>(mesh, vpm, tolerated, closer) != Shell_status::SUCCESS) return match;
+    const Shell_status status = input.template build<Sequential_tag>(mesh, vpm, tolerated, m_shell->closing());
+    if(status != Shell_status::SUCCESS) return match;
     return match_components(m_shell->component_paths(), input);
   }
 

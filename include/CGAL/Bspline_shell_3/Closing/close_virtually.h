@@ -6,12 +6,26 @@
 #ifndef CGAL_BSPLINE_SHELL_3_CLOSING_CLOSE_VIRTUALLY_H
 #define CGAL_BSPLINE_SHELL_3_CLOSING_CLOSE_VIRTUALLY_H
 
-#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Mesh_with_origins.h>
+#include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Closing_report.h>
+#include <CGAL/Bspline_shell_3/Support/Status.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
+
+#include <memory>
+#include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
+
+/// \ingroup PkgBsplineShell3Closing
+/// Closing of an open mesh, or the reason why there is none and the facets that cause it.
+struct Virtual_closing
+{
+  Shell_status status = Shell_status::NOT_CLOSABLE;
+  std::vector<Mesh_with_origins::Face_index> offending_facets;
+  std::shared_ptr<const Shell_closing_3> closing; ///< Not null on success.
+};
 
 /*!
  * \ingroup PkgBsplineShell3Closing
@@ -35,7 +49,7 @@ namespace Bspline_shells {
  * \cgalHeading{Cost} a search for self-intersections each time the distance is halved somewhere
  */
 template <typename ConcurrencyTag>
-Input_mesh_3::Closed close_virtually(const Input_mesh_3::Triangle_mesh& mesh, double offset, Closing_report& report);
+Virtual_closing close_virtually(const Mesh_with_origins::Triangle_mesh& mesh, double offset, Closing_report& report);
 
 } // namespace Bspline_shells
 } // namespace CGAL

@@ -154,10 +154,10 @@ private:
 } // namespace internal
 
 template <typename ConcurrencyTag>
-Input_mesh_3::Closed close_virtually(const Input_mesh_3::Triangle_mesh& mesh, double offset, Closing_report& report)
+Virtual_closing close_virtually(const Mesh_with_origins::Triangle_mesh& mesh, double offset, Closing_report& report)
 {
   typedef internal::Virtual_closer<ConcurrencyTag> Closer;
-  Input_mesh_3::Closed closed;
+  Virtual_closing closed;
   report = Closing_report();
   for(const auto& pair : Closer::intersections(mesh)) {
     closed.offending_facets.push_back(pair.first);

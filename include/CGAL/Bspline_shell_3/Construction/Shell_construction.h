@@ -24,9 +24,23 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace CGAL {
 namespace Bspline_shells {
+
+/// \ingroup PkgBsplineShell3Construction
+/// returns the defects that `allow_self_intersections` and `allow_singular_vertices` permit, as for `bspline_shell_3()`
+template <typename NamedParameters>
+Input_mesh_3::Tolerated_defects tolerated_defects(const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Input_mesh_3::Tolerated_defects tolerated;
+  tolerated.self_intersections = choose_parameter(get_parameter(np, internal_np::allow_self_intersections), false);
+  tolerated.singular_vertices = choose_parameter(get_parameter(np, parameter_tags::allow_singular_vertices), false);
+  return tolerated;
+}
 
 /*!
  * \ingroup PkgBsplineShell3Construction
@@ -81,27 +95,22 @@ public:
     return end(Shell_status::INVALID_PARAMETER);
   }
 
-  /// tests the arithmetic, copies the mesh and checks it.
-  /// \param np `vertex_point_map`, `allow_self_intersections` and `allow_singular_vertices` as for `bspline_shell_3()`
-  /// \param closer closes open meshes, which are rejected without it
-  /// \param truncator truncates vertices whose facets face no common direction
-  template <typename ConcurrencyTag, typename PolygonMesh, typename NP>
-  Shell_status check(const PolygonMesh& mesh, const NP& np, const Input_mesh_3::Closer& closer = Input_mesh_3::Closer(),
-                     const Input_mesh_3::Truncator& truncator = Input_mesh_3::Truncator())
+  /// tests the arithmetic, and begins the check of the mesh
+  /// \return `SUCCESS` or `UNSOUND_ARITHMETIC`
+  Shell_status start_check()
   {
-    using CGAL::parameters::choose_parameter;
-    using CGAL::parameters::get_parameter;
     if(arithmetic_self_test() != Arithmetic_status::SOUND) return Shell_status::UNSOUND_ARITHMETIC;
     start(Shell_step::CHECK);
-    Input_mesh_3::Tolerated_defects tolerated;
-    tolerated.self_intersections = choose_parameter(get_parameter(np, internal_np::allow_self_intersections), false);
-    tolerated.singular_vertices = choose_parameter(get_parameter(np, parameter_tags::allow_singular_vertices), false);
-    const auto mesh_copy = std::make_shared<Input_mesh_3>();
-    const Shell_status status = mesh_copy->template build<ConcurrencyTag>(
-      mesh, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh)),
-      tolerated, closer, truncator);
-    m_input = mesh_copy;
+    return Shell_status::SUCCESS;
+  }
+
+  /// takes the mesh for which the shell is built
+  /// \return its status
+  Shell_status take(Input_mesh_3 input)
+  {
+    m_input = std::make_shared<const Input_mesh_3>(std::move(input));
     m_report.offending_simplices = m_input->offending_simplices();
+    const Shell_status status = m_input->status();
     if(status != Shell_status::SUCCESS) return status;
     if(m_input->closing()) m_report.closing.triangles = m_input->closing()->triangles().size();
     m_report.triangles = m_input->mesh().number_of_faces();

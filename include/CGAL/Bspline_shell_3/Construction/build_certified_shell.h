@@ -12,11 +12,13 @@
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Fit/Any_signed_distance_3.h>
 #include <CGAL/Bspline_shell_3/Fit/Any_spd_solver.h>
+#include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace CGAL {
@@ -40,9 +42,12 @@ struct Certified_shell_parameters
   /// root cells per longest side of the mesh's bounding box; if not set, `choose_resolution()`, or the finest with
   /// `sizing`
   std::optional<double> resolution;
-  double relative_thickness = 0.01; ///< fraction of the longest side of the mesh's bounding box
-  double least_cone_margin = 0.01;  ///< vertices with a smaller margin are truncated
-  std::optional<double> thickness;  ///< used instead of `relative_thickness`, user units
+  double relative_thickness = 0.01;               ///< fraction of the longest side of the mesh's bounding box
+  std::shared_ptr<const Shell_closing_3> closing; ///< closes the mesh if it is open
+  bool closes_virtually = true;    ///< whether an open mesh is closed by `close_virtually()` if there is no `closing`
+  bool truncates = true;           ///< whether vertices are truncated, unless self-intersections are tolerated
+  double least_cone_margin = 0.01; ///< vertices with a smaller margin are truncated
+  std::optional<double> thickness; ///< used instead of `relative_thickness`, user units
   /// the thickness near a point, used instead of `relative_thickness`, user units
   std::function<double(const Certified_bspline_shell_3::Point_3&)> sizing;
   Refinement_parameters refinement;

@@ -6,7 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_TRUNCATION_TRUNCATE_MESH_H
 #define CGAL_BSPLINE_SHELL_3_TRUNCATION_TRUNCATE_MESH_H
 
-#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Mesh_with_origins.h>
 #include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Truncation_report.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
@@ -29,7 +29,7 @@ namespace Bspline_shells {
  * border of an open mesh are not truncated, nor are vertices at folded edges, where no disc has a larger margin.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
- * \param input a mesh known to have no self-intersections; its construction need not be complete
+ * \param mesh a closed mesh of triangles without self-intersections
  * \param largest_radius upper bound on the radius of the ball around a vertex with these coordinates; user units,
  *   positive. The radius is smaller if edges are short or other facets are near.
  * \param least_margin vertices with a smaller `vertex_cone_margin()` are truncated if this at least doubles the margin
@@ -40,7 +40,7 @@ namespace Bspline_shells {
  */
 template <typename ConcurrencyTag>
 std::shared_ptr<const Shell_truncation_3> truncate_mesh(
-  const Input_mesh_3& input, const std::function<double(const std::array<double, 3>&)>& largest_radius,
+  const Mesh_with_origins& mesh, const std::function<double(const std::array<double, 3>&)>& largest_radius,
   double least_margin, Truncation_report& report);
 
 } // namespace Bspline_shells

@@ -42,9 +42,9 @@ class Mesh_truncator
   typedef Mesh::Face_index Face_index;
   typedef Truncation_report::Outcome Outcome;
 public:
-  Mesh_truncator(const Input_mesh_3& input, const std::function<double(const std::array<double, 3>&)>& largest_radius,
-                 Truncation_report& report)
-    : m_input(input), m_mesh(input.mesh()), m_largest_radius(largest_radius), m_report(report)
+  Mesh_truncator(const Mesh_with_origins& input,
+                 const std::function<double(const std::array<double, 3>&)>& largest_radius, Truncation_report& report)
+    : m_input(input), m_mesh(input.mesh), m_largest_radius(largest_radius), m_report(report)
   {}
 
   std::shared_ptr<const Shell_truncation_3> operator()(double least_margin)
@@ -88,7 +88,7 @@ private:
   void note(const Tip& tip, Outcome outcome)
   {
     Truncation_report::Vertex v;
-    v.vertex = m_input.vertex_of_origin(tip.vertex);
+    v.vertex = m_input.vertex_origin[tip.vertex];
     v.point = { tip.center.x(), tip.center.y(), tip.center.z() };
     v.outcome = outcome;
     v.radius = outcome == Outcome::TRUNCATED ? tip.radius : 0;
@@ -106,7 +106,7 @@ private:
   bool closes(Vertex_index v) const
   {
     for(Face_index f : m_mesh.faces_around_target(m_mesh.halfedge(v)))
-      if(m_input.part_of_facet(m_input.facet_of_origin(f)) == Surface_part::CLOSING) return true;
+      if(m_input.part_of_facet(m_input.facet_origin[f]) == Surface_part::CLOSING) return true;
     return false;
   }
 
@@ -126,7 +126,7 @@ private:
       if(!is_tip[n]) continue;
       Tip tip(m_mesh, vertices[n]);
       if(!vertex_cone(m_mesh, vertices[n])) tip.margin = 0;
-      if(!m_input.is_of_user(vertices[n])) continue;
+      if(m_input.vertex_origin[vertices[n]] >= m_input.user_vertices) continue;
       if(closes(vertices[n])) note(tip, Outcome::ON_BORDER);
       else if(tip.largest_margin() < least_gain * tip.margin) note(tip, Outcome::FOLDED_EDGE);
       else m_tips.push_back(std::move(tip));
@@ -138,9 +138,9 @@ private:
   {
     m_tree.insert(faces(m_mesh).begin(), faces(m_mesh).end(), m_mesh);
     m_tree.build();
-    const double largest = (std::max)({ std::abs(m_input.bbox().xmin()), std::abs(m_input.bbox().xmax()),
-                                        std::abs(m_input.bbox().ymin()), std::abs(m_input.bbox().ymax()),
-                                        std::abs(m_input.bbox().zmin()), std::abs(m_input.bbox().zmax()) });
+    const double largest = (std::max)({ std::abs(m_input.bbox.xmin()), std::abs(m_input.bbox.xmax()),
+                                        std::abs(m_input.bbox.ymin()), std::abs(m_input.bbox.ymax()),
+                                        std::abs(m_input.bbox.zmin()), std::abs(m_input.bbox.zmax()) });
     for(Tip& tip : m_tips) {
       Run::poll();
       constexpr double part_of_edge = 1. / 3;
@@ -256,7 +256,7 @@ private:
   // A smaller increase of the margin is not worth the cost.
   static constexpr double least_gain = 2;
 
-  const Input_mesh_3& m_input;
+  const Mesh_with_origins& m_input;
   const Mesh& m_mesh;
   const std::function<double(const std::array<double, 3>&)>& m_largest_radius;
   Truncation_report& m_report;
@@ -268,11 +268,11 @@ private:
 
 template <typename ConcurrencyTag>
 std::shared_ptr<const Shell_truncation_3> truncate_mesh(
-  const Input_mesh_3& input, const std::function<double(const std::array<double, 3>&)>& largest_radius,
+  const Mesh_with_origins& mesh, const std::function<double(const std::array<double, 3>&)>& largest_radius,
   double least_margin, Truncation_report& report)
 {
   report = Truncation_report();
-  return internal::Mesh_truncator<ConcurrencyTag>(input, largest_radius, report)(least_margin);
+  return internal::Mesh_truncator<ConcurrencyTag>(mesh, largest_radius, report)(least_margin);
 }
 
 } // namespace Bspline_shells

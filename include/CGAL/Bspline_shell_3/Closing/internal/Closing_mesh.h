@@ -6,7 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_CLOSING_INTERNAL_CLOSING_MESH_H
 #define CGAL_BSPLINE_SHELL_3_CLOSING_INTERNAL_CLOSING_MESH_H
 
-#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Mesh_with_origins.h>
 #include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
@@ -26,8 +26,8 @@ namespace internal {
 
 // Queries on meshes to be closed, which have triangles only.
 
-typedef Input_mesh_3::Triangle_mesh Closing_mesh;
-typedef Exact_predicates_inexact_constructions_kernel Closing_kernel;
+typedef Mesh_with_origins::Triangle_mesh Closing_mesh;
+typedef Mesh_with_origins::Kernel Closing_kernel;
 
 inline double length(const Closing_kernel::Vector_3& v)
 {

@@ -6,12 +6,11 @@
 #ifndef CGAL_BSPLINE_SHELL_3_TRUNCATION_INTERNAL_TIP_H
 #define CGAL_BSPLINE_SHELL_3_TRUNCATION_INTERNAL_TIP_H
 
-#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/Mesh_with_origins.h>
 #include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
@@ -25,8 +24,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-typedef Input_mesh_3::Triangle_mesh Truncation_mesh;
-typedef Exact_predicates_inexact_constructions_kernel Truncation_kernel;
+typedef Mesh_with_origins::Triangle_mesh Truncation_mesh;
+typedef Mesh_with_origins::Kernel Truncation_kernel;
 
 // A vertex with its facets, which are cut within a ball around it.
 struct Tip

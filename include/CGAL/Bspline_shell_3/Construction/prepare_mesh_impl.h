@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_PREPARE_MESH_IMPL_H
+#define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_PREPARE_MESH_IMPL_H
+
+#include <CGAL/Bspline_shell_3/Closing/close_virtually.h>
+#include <CGAL/Bspline_shell_3/Construction/prepare_mesh.h>
+#include <CGAL/Bspline_shell_3/Mesh/apply_truncation.h>
+#include <CGAL/Bspline_shell_3/Mesh/attach_closing.h>
+#include <CGAL/Bspline_shell_3/Mesh/check_embedding.h>
+#include <CGAL/Bspline_shell_3/Mesh/validate_mesh.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
+#include <CGAL/Bspline_shell_3/Truncation/truncate_mesh.h>
+
+#include <CGAL/FPU.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <array>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+template <typename ConcurrencyTag>
+Input_mesh_3 prepare_mesh(Mesh_refusal refusal, Mesh_with_origins mesh,
+                          const Input_mesh_3::Tolerated_defects& tolerated,
+                          const Certified_shell_parameters& parameters, Shell_report& report)
+{
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // required by exact predicates
+  std::shared_ptr<const Shell_closing_3> closing = parameters.closing;
+  if(!refusal) refusal = internal::validate_mesh<ConcurrencyTag>(mesh, closing || parameters.closes_virtually);
+  if(!refusal && !closing && !CGAL::is_closed(mesh.mesh)) {
+    const double offset = parameters.closing_offset(mesh.unit());
+    const Virtual_closing found = close_virtually<ConcurrencyTag>(mesh.mesh, offset, report.closing);
+    closing = found.closing;
+    refusal.status = found.status;
+    std::vector<std::size_t>& facets = refusal.offending_simplices.facets;
+    for(auto f : found.offending_facets) facets.push_back(mesh.facet_origin[f]);
+    sort_unique(facets);
+  }
+  if(!refusal && closing) refusal = internal::attach_closing<ConcurrencyTag>(closing, mesh);
+  std::vector<char> is_embedded;
+  if(!refusal && !tolerated.self_intersections) {
+    refusal = internal::check_intersections<ConcurrencyTag>(mesh, is_embedded);
+    if(!refusal && parameters.truncates) {
+      const double thickness = parameters.largest_thickness(mesh.unit());
+      const auto largest_radius = [&](const std::array<double, 3>& p) {
+        const double here = parameters.sizing ? parameters.sizing(Certified_bspline_shell_3::Point_3(p[0], p[1], p[2]))
+                                              : thickness;
+        return parameters.largest_tip(here > 0 ? here : thickness);
+      };
+      const auto truncation = truncate_mesh<ConcurrencyTag>(mesh, largest_radius, parameters.least_cone_margin,
+                                                            report.truncation);
+      if(truncation) {
+        refusal = internal::apply_truncation<ConcurrencyTag>(truncation, mesh);
+        is_embedded.clear();
+      }
+    }
+  }
+  Input_mesh_3 input;
+  input.take<ConcurrencyTag>(std::move(refusal), std::move(mesh), is_embedded, tolerated);
+  return input;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_CONSTRUCTION_PREPARE_MESH_IMPL_H
