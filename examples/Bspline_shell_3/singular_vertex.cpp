@@ -3,6 +3,7 @@
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
+#include <CGAL/Bspline_shell_3/Mesh/replace_patches.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
@@ -54,7 +55,7 @@ int main(int argc, char** argv)
 
   // the truncated mesh that was certified, for inspection
   Mesh truncated = mesh;
-  if(shell.truncation()) shell.truncation()->apply(truncated, truncated.points());
+  if(shell.truncation()) BS::replace_patches(*shell.truncation(), truncated, truncated.points());
   truncated.collect_garbage();
   const bool are_saved = save("truncated_mesh.off", truncated) && save("simplified_truncated_mesh.off", coarse);
   return are_saved ? EXIT_SUCCESS : EXIT_FAILURE;

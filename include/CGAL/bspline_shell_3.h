@@ -142,15 +142,11 @@ Bspline_shell_3<> bspline_shell_3(const PolygonMesh& mesh, const CGAL_NP_CLASS& 
   invalid.check("time_limit", max_seconds, BS::Parameter_bounds::positive_or_infinite());
   if(invalid) return Bspline_shell_3<>(construction.refuse(invalid));
   return construction.run<Bspline_shell_3<> >([&] {
-    BS::Shell_status status = construction.start_check();
-    if(status == BS::Shell_status::SUCCESS) {
-      BS::Input_mesh_3 input;
-      input.build<ConcurrencyTag>(
-        mesh,
-        choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh)),
-        BS::tolerated_defects(np));
-      status = construction.take(std::move(input));
-    }
+    BS::Input_mesh_3 input;
+    input.build<ConcurrencyTag>(
+      mesh, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh)),
+      BS::tolerated_defects(np));
+    const BS::Shell_status status = construction.take(std::move(input));
     if(status != BS::Shell_status::SUCCESS) return Bspline_shell_3<>(construction.end(status));
 
     // copied, unless passed by reference

@@ -190,12 +190,9 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh,
   invalid.check("time_limit", max_seconds, BS::Parameter_bounds::positive_or_infinite());
   if(invalid) return Certified_bspline_shell_3(construction.refuse(invalid));
   return construction.run<Certified_bspline_shell_3>([&] {
-    BS::Shell_status status = construction.start_check();
-    if(status == BS::Shell_status::SUCCESS)
-      status = construction.take(BS::prepare_mesh<ConcurrencyTag>(
-        mesh,
-        choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh)),
-        BS::tolerated_defects(np), parameters, construction.report()));
+    const BS::Shell_status status = construction.take(BS::prepare_mesh<ConcurrencyTag>(
+      mesh, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh)),
+      BS::tolerated_defects(np), parameters, construction.report()));
     if(status != BS::Shell_status::SUCCESS) return Certified_bspline_shell_3(construction.end(status));
 
     // copied, unless passed by reference

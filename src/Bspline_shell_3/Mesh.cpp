@@ -26,20 +26,18 @@ template std::optional<std::vector<std::pair<Crossing_counter_3::Face_index, int
 template std::optional<std::vector<std::pair<Crossing_counter_3::Face_index, int> > > Crossing_counter_3::crossings<
   Parallel_tag>(const Point_3&, const Point_3&) const;
 #endif
-template Mesh_refusal copy_mesh<Parallel_if_available_tag>(
+template Mesh_with_origins copy_mesh<Parallel_if_available_tag>(
   const Mesh_with_origins::Triangle_mesh&,
-  boost::property_map<Mesh_with_origins::Triangle_mesh, vertex_point_t>::const_type, Mesh_with_origins&);
-template Shell_status Input_mesh_3::build<Sequential_tag>(Mesh_refusal, Mesh_with_origins, const Tolerated_defects&,
+  boost::property_map<Mesh_with_origins::Triangle_mesh, vertex_point_t>::const_type);
+template Shell_status Input_mesh_3::build<Sequential_tag>(Mesh_with_origins, const Tolerated_defects&,
                                                           std::shared_ptr<const Shell_closing_3>,
                                                           std::shared_ptr<const Shell_truncation_3>);
-template Shell_status Input_mesh_3::take<Sequential_tag>(Mesh_refusal, Mesh_with_origins, const std::vector<char>&,
-                                                         const Tolerated_defects&);
+template Shell_status Input_mesh_3::take<Sequential_tag>(Mesh_with_origins, const Tolerated_defects&);
 #ifdef CGAL_LINKED_WITH_TBB
-template Shell_status Input_mesh_3::build<Parallel_tag>(Mesh_refusal, Mesh_with_origins, const Tolerated_defects&,
+template Shell_status Input_mesh_3::build<Parallel_tag>(Mesh_with_origins, const Tolerated_defects&,
                                                         std::shared_ptr<const Shell_closing_3>,
                                                         std::shared_ptr<const Shell_truncation_3>);
-template Shell_status Input_mesh_3::take<Parallel_tag>(Mesh_refusal, Mesh_with_origins, const std::vector<char>&,
-                                                       const Tolerated_defects&);
+template Shell_status Input_mesh_3::take<Parallel_tag>(Mesh_with_origins, const Tolerated_defects&);
 #endif
 
 } // namespace Bspline_shells

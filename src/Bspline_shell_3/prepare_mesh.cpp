@@ -10,12 +10,10 @@
 namespace CGAL {
 namespace Bspline_shells {
 
-template Input_mesh_3 prepare_mesh<Sequential_tag>(Mesh_refusal, Mesh_with_origins,
-                                                   const Input_mesh_3::Tolerated_defects&,
+template Input_mesh_3 prepare_mesh<Sequential_tag>(Mesh_with_origins, const Input_mesh_3::Tolerated_defects&,
                                                    const Certified_shell_parameters&, Shell_report&);
 #ifdef CGAL_LINKED_WITH_TBB
-template Input_mesh_3 prepare_mesh<Parallel_tag>(Mesh_refusal, Mesh_with_origins,
-                                                 const Input_mesh_3::Tolerated_defects&,
+template Input_mesh_3 prepare_mesh<Parallel_tag>(Mesh_with_origins, const Input_mesh_3::Tolerated_defects&,
                                                  const Certified_shell_parameters&, Shell_report&);
 #endif
 

@@ -103,4 +103,40 @@ inline Truncation_parts truncation_at(const Mesh& mesh, const std::vector<Mesh::
   return parts;
 }
 
+// The apex of `pyramid(4, 1)` is cut off halfway, and replaced by a square. With `has_point`, it is replaced by a roof
+// with a point in the middle.
+inline Truncation_parts square_pyramid(bool has_point = false)
+{
+  typedef Truncation_parts::Truncation Truncation;
+  typedef Truncation_parts::Index Index;
+  Truncation_parts parts;
+  const Index apex = 0, npos = Truncation::npos;
+  const Mesh mesh = pyramid(4, 1);
+  for(std::uint32_t v : { 0u, 2u, 3u, 4u, 5u }) {
+    const Point_3& p = mesh.point(Mesh::Vertex_index(v));
+    parts.points.push_back({ p.x(), p.y(), p.z() });
+  }
+  for(Index i = 0; i < 4; ++i) parts.cut_facets.push_back({ apex, 1 + i, 1 + (i + 1) % 4 });
+  Truncation::Disc disc;
+  disc.center = apex;
+  for(Index i = 0; i < 4; ++i) {
+    const auto p = parts.points[1 + i]; // a copy, as the vector grows
+    parts.points.push_back({ p[0] / 2, p[1] / 2, 0.5 });
+    parts.cuts.push_back({ apex, 1 + i, npos, 0.5, 0 });
+    parts.planar.push_back({ p[0], p[1] });
+    disc.rim.push_back(5 + i);
+    disc.facets.push_back(i);
+    const Index j = (i + 1) % 4;
+    parts.cores.push_back({ { 5 + i, 1 + i, 1 + j }, i });
+    parts.cores.push_back({ { 5 + i, 1 + j, 5 + j }, i });
+  }
+  if(has_point) {
+    parts.points.push_back({ 0.05, 0, 0.6 });
+    parts.planar.push_back({ 0.1, 0.2 });
+    for(Index i = 0; i < 4; ++i) disc.triangles.push_back({ 5 + i, 5 + (i + 1) % 4, 9 });
+  } else disc.triangles = { { 5, 6, 7 }, { 5, 7, 8 } };
+  parts.discs.push_back(disc);
+  return parts;
+}
+
 #endif // TRUNCATIONS_H

@@ -107,12 +107,10 @@ TEST_CASE("OpenMesh: truncated, at vertices with facets in common, too")
     const auto truncation = truncation_at(ball, { v, beside }, has_point).shared();
     REQUIRE(truncation->is_valid());
     Poly_mesh mesh = openmesh_of(ball);
-    const auto truncated = truncation->apply(mesh, get(CGAL::vertex_point, mesh));
-    REQUIRE(truncated);
-    CHECK(truncated->patches == 1);
+    REQUIRE(BS::replace_patches(*truncation, mesh, get(CGAL::vertex_point, mesh)));
     mesh.garbage_collection();
     const std::size_t kept = ball.number_of_faces() - truncation->cut_facets().size();
-    CHECK(mesh.n_faces() == kept + truncation->number_of_new_facets());
+    CHECK(mesh.n_faces() == kept + truncation->new_facets().size());
     CHECK(CGAL::is_valid_polygon_mesh(mesh));
     CHECK(CGAL::is_closed(mesh));
     CHECK(CGAL::is_triangle_mesh(mesh));

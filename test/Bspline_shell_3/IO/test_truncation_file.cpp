@@ -47,9 +47,9 @@ TEST_CASE("Truncations are read as they were written")
     CHECK(read->points() == truncation.points());
     CHECK(read->planar() == truncation.planar());
     CHECK(read->cut_facets() == truncation.cut_facets());
-    CHECK(read->number_of_new_facets() == truncation.number_of_new_facets());
-    for(std::size_t n = 0; n < truncation.number_of_new_facets(); ++n)
-      CHECK(read->new_facet(n) == truncation.new_facet(n));
+    REQUIRE(read->new_facets().size() == truncation.new_facets().size());
+    for(std::size_t n = 0; n < truncation.new_facets().size(); ++n)
+      CHECK(read->new_facets()[n].triangle == truncation.new_facets()[n].triangle);
   }
 }
 

@@ -54,7 +54,7 @@ TEST_CASE("Traced facets are neighbors across each of their edges")
     REQUIRE(target.is_valid());
     const BS::Projection_facets_3& facets = target.traced_facets();
     const std::size_t kept = mesh.number_of_faces() - truncation->cut_facets().size();
-    CHECK(facets.number_of_facets() == kept + truncation->number_of_new_facets());
+    CHECK(facets.number_of_facets() == kept + truncation->new_facets().size());
     std::size_t right = 0;
     for(Target::Index f = 0; f < facets.number_of_facets(); ++f)
       for(int i = 0; i < 3; ++i) {

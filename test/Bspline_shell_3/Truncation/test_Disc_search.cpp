@@ -53,7 +53,7 @@ bool is_embedded(const Mesh& cone, const BS::internal::Tip& tip, const BS::inter
   const BS::Shell_truncation_3 truncation = BS::internal::assemble_truncation(cone, { tip }, { disc });
   if(!truncation.is_valid()) return false;
   Mesh result = cone;
-  REQUIRE(truncation.apply(result, result.points()));
+  REQUIRE(BS::replace_patches(truncation, result, result.points()));
   return !PMP::does_self_intersect<CGAL::Sequential_tag>(result);
 }
 

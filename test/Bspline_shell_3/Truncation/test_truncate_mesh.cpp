@@ -28,8 +28,8 @@ typedef BS::Truncation_report::Outcome Outcome;
 
 BS::Mesh_with_origins input(const Mesh& mesh)
 {
-  BS::Mesh_with_origins copy;
-  REQUIRE_FALSE(BS::copy_mesh<CGAL::Sequential_tag>(mesh, mesh.points(), copy));
+  BS::Mesh_with_origins copy = BS::copy_mesh<CGAL::Sequential_tag>(mesh, mesh.points());
+  REQUIRE_FALSE(copy.refusal);
   REQUIRE_FALSE(BS::internal::validate_mesh<CGAL::Sequential_tag>(copy, true));
   return copy;
 }
@@ -50,9 +50,8 @@ Mesh truncated(const Mesh& mesh, double radius, double margin, BS::Truncation_re
   CHECK(found->is_valid());
   CHECK(found->discs().size() == report.truncated());
   Mesh result = checked.mesh;
-  const auto applied = found->apply(result, result.points());
+  const auto applied = BS::replace_patches(*found, result, result.points());
   REQUIRE(applied);
-  CHECK(applied->patches > 0);
   CHECK(std::count(applied->facets.begin(), applied->facets.end(), Mesh::null_face()) == 0);
   result.collect_garbage();
   CHECK(CGAL::is_valid_polygon_mesh(result));

@@ -62,11 +62,18 @@ public:
     m_timer.start();
   }
 
-  /// returns `build()`, or an object without a shell if the time limit is reached or the visitor cancels
+  /// begins with the check of the mesh.
+  /// \return `build()`, or an object without a shell if the arithmetic is unsound, the time limit is reached or the
+  ///   visitor cancels
   template <typename Shell, typename Build>
   Shell run(const Build& build)
   {
-    return m_run(build, [this](internal::Run::End ended) { return Shell(end(internal::status(ended))); });
+    const auto checked = [&] {
+      if(arithmetic_self_test() != Arithmetic_status::SOUND) return Shell(end(Shell_status::UNSOUND_ARITHMETIC));
+      start(Shell_step::CHECK);
+      return build();
+    };
+    return m_run(checked, [this](internal::Run::End ended) { return Shell(end(internal::status(ended))); });
   }
 
   /// ends the last step and begins the next one; ends `run()` if the visitor cancels
@@ -93,15 +100,6 @@ public:
   {
     m_report.invalid_parameter = parameter;
     return end(Shell_status::INVALID_PARAMETER);
-  }
-
-  /// tests the arithmetic, and begins the check of the mesh
-  /// \return `SUCCESS` or `UNSOUND_ARITHMETIC`
-  Shell_status start_check()
-  {
-    if(arithmetic_self_test() != Arithmetic_status::SOUND) return Shell_status::UNSOUND_ARITHMETIC;
-    start(Shell_step::CHECK);
-    return Shell_status::SUCCESS;
   }
 
   /// takes the mesh for which the shell is built

@@ -12,22 +12,18 @@
 #include <CGAL/Bspline_shell_3/Shell/Shell_report.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
 
-#include <utility>
-
 namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Construction
 /// validates, closes and truncates a copy of a mesh.
-/// \param refusal the reason why the mesh was not copied, if there is one
-/// \param mesh the copy
+/// \param mesh the copy, unless it is refused
 /// \param tolerated defects that are not checked
 /// \param parameters how the mesh is closed and truncated
 /// \param[out] report how the mesh was closed and truncated
 /// \return the mesh, or the reason why it is refused
 template <typename ConcurrencyTag>
-Input_mesh_3 prepare_mesh(Mesh_refusal refusal, Mesh_with_origins mesh,
-                          const Input_mesh_3::Tolerated_defects& tolerated,
+Input_mesh_3 prepare_mesh(Mesh_with_origins mesh, const Input_mesh_3::Tolerated_defects& tolerated,
                           const Certified_shell_parameters& parameters, Shell_report& report);
 
 /// \ingroup PkgBsplineShell3Construction
@@ -38,9 +34,7 @@ template <typename ConcurrencyTag, typename FaceGraph, typename VertexPointMap>
 Input_mesh_3 prepare_mesh(const FaceGraph& mesh, VertexPointMap vpm, const Input_mesh_3::Tolerated_defects& tolerated,
                           const Certified_shell_parameters& parameters, Shell_report& report)
 {
-  Mesh_with_origins copy;
-  Mesh_refusal refusal = copy_mesh<ConcurrencyTag>(mesh, vpm, copy);
-  return prepare_mesh<ConcurrencyTag>(std::move(refusal), std::move(copy), tolerated, parameters, report);
+  return prepare_mesh<ConcurrencyTag>(copy_mesh<ConcurrencyTag>(mesh, vpm), tolerated, parameters, report);
 }
 
 } // namespace Bspline_shells

@@ -11,6 +11,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/apply_truncation.h>
 #include <CGAL/Bspline_shell_3/Mesh/attach_closing.h>
 #include <CGAL/Bspline_shell_3/Mesh/check_embedding.h>
+#include <CGAL/Bspline_shell_3/Mesh/replace_patches.h>
 #include <CGAL/Bspline_shell_3/Mesh/validate_mesh.h>
 #include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 #include <CGAL/Bspline_shell_3/Truncation/truncate_mesh.h>
@@ -27,11 +28,11 @@ namespace CGAL {
 namespace Bspline_shells {
 
 template <typename ConcurrencyTag>
-Input_mesh_3 prepare_mesh(Mesh_refusal refusal, Mesh_with_origins mesh,
-                          const Input_mesh_3::Tolerated_defects& tolerated,
+Input_mesh_3 prepare_mesh(Mesh_with_origins mesh, const Input_mesh_3::Tolerated_defects& tolerated,
                           const Certified_shell_parameters& parameters, Shell_report& report)
 {
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // required by exact predicates
+  Mesh_refusal& refusal = mesh.refusal;
   std::shared_ptr<const Shell_closing_3> closing = parameters.closing;
   if(!refusal) refusal = internal::validate_mesh<ConcurrencyTag>(mesh, closing || parameters.closes_virtually);
   if(!refusal && !closing && !CGAL::is_closed(mesh.mesh)) {
@@ -44,26 +45,23 @@ Input_mesh_3 prepare_mesh(Mesh_refusal refusal, Mesh_with_origins mesh,
     sort_unique(facets);
   }
   if(!refusal && closing) refusal = internal::attach_closing<ConcurrencyTag>(closing, mesh);
-  std::vector<char> is_embedded;
-  if(!refusal && !tolerated.self_intersections) {
-    refusal = internal::check_intersections<ConcurrencyTag>(mesh, is_embedded);
-    if(!refusal && parameters.truncates) {
-      const double thickness = parameters.largest_thickness(mesh.unit());
-      const auto largest_radius = [&](const std::array<double, 3>& p) {
-        const double here = parameters.sizing ? parameters.sizing(Certified_bspline_shell_3::Point_3(p[0], p[1], p[2]))
-                                              : thickness;
-        return parameters.largest_tip(here > 0 ? here : thickness);
-      };
-      const auto truncation = truncate_mesh<ConcurrencyTag>(mesh, largest_radius, parameters.least_cone_margin,
-                                                            report.truncation);
-      if(truncation) {
-        refusal = internal::apply_truncation<ConcurrencyTag>(truncation, mesh);
-        is_embedded.clear();
-      }
+  if(!refusal && !tolerated.self_intersections) refusal = internal::check_intersections<ConcurrencyTag>(mesh);
+  if(!refusal && !tolerated.self_intersections && parameters.truncates) {
+    const double thickness = parameters.largest_thickness(mesh.unit());
+    const auto largest_radius = [&](const std::array<double, 3>& p) {
+      const double here = parameters.sizing ? parameters.sizing(Certified_bspline_shell_3::Point_3(p[0], p[1], p[2]))
+                                            : thickness;
+      return parameters.largest_tip(here > 0 ? here : thickness);
+    };
+    const auto truncation = truncate_mesh<ConcurrencyTag>(mesh, largest_radius, parameters.least_cone_margin,
+                                                          report.truncation);
+    if(truncation) {
+      const auto patches = find_patches(*truncation, mesh.mesh, mesh.mesh.points());
+      refusal = internal::apply_truncation<ConcurrencyTag>(truncation, patches, mesh);
     }
   }
   Input_mesh_3 input;
-  input.take<ConcurrencyTag>(std::move(refusal), std::move(mesh), is_embedded, tolerated);
+  input.take<ConcurrencyTag>(std::move(mesh), tolerated);
   return input;
 }
 

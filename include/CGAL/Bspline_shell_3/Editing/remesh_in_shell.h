@@ -8,8 +8,9 @@
 
 #include <CGAL/Bspline_shell_3/Editing/Edit_result.h>
 #include <CGAL/Bspline_shell_3/Editing/Remeshing_report.h>
-#include <CGAL/Bspline_shell_3/Editing/internal/Shell_remesher.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Guarded_mesh.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/edit_under_proof.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/remesh.h>
 #include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_projection_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
@@ -229,33 +230,18 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
   return ended(internal::edit_under_proof<ConcurrencyTag>(
     mesh, vpm, edge_is_constrained, shell, may_repeat, np, result,
     [&](const auto& oracle, const auto& frozen, const auto& all) {
-      typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
       typedef Shell_projection_3<Shell, TriangleMesh> Projection;
       const Projection projection(shell, std::make_shared<const typename Projection::Target>(mesh, vpm));
       const auto project = [&](const auto& p) {
+        if(!do_project) return p;
         const auto image = projection(p);
         return image ? image.point : p;
       };
-      internal::Shell_remesher<TriangleMesh, Vertex_point_map, Oracle, std::remove_cv_t<decltype(sizing)>,
-                               decltype(edge_is_constrained), std::remove_cv_t<decltype(vertex_is_constrained)> >
-        remesher(
-          mesh, vpm, oracle, sizing, frozen, edge_is_constrained, vertex_is_constrained, protect, all,
-          [&] { return !result.invalid_parameter && bool(visitor.go_on()); }, result);
-      for(unsigned int i = 0; i < iterations && remesher.goes_on(); ++i) {
-        if(!visitor.start_iteration(i)) remesher.stop();
-        remesher.flip_to_larger_angles();
-        remesher.split_long_edges();
-        remesher.collapse_short_edges();
-        remesher.flip_to_regular_valences();
-        for(unsigned int j = 0; j < relaxations; ++j)
-          if(do_project) remesher.template relax<ConcurrencyTag>(project);
-          else remesher.template relax<ConcurrencyTag>([](const auto& p) { return p; });
-      }
-      remesher.flip_to_larger_angles();
-      result.images = remesher.images();
-      if constexpr(!CGAL::parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::edge_is_constrained_t>::value)
-        for(auto e : edges(mesh)) result.constrained_edges += !frozen.closes(e) && get(edge_is_constrained, e) ? 1 : 0;
-      result.end = remesher.end();
+      internal::Guarded_mesh guarded(
+        mesh, vpm, oracle, sizing, frozen, edge_is_constrained, vertex_is_constrained, protect, all,
+        [&] { return !result.invalid_parameter && bool(visitor.go_on()); }, result);
+      result.end = internal::remesh<ConcurrencyTag>(guarded, iterations, relaxations, project, visitor);
+      result.images = guarded.images.all();
       return result.invalid_parameter ? Status::INVALID_PARAMETER : Status::SUCCESS;
     }));
 }

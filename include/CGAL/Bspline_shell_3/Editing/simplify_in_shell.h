@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include <functional>
@@ -170,11 +171,11 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
 
   Vertex_point_map vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                           get_property_map(vertex_point, mesh));
-  typedef std::decay_t<decltype(choose_parameter<SMS::No_constrained_edge_map<TriangleMesh> >(
-    get_parameter(np, internal_np::edge_is_constrained)))>
+  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
+  typedef Static_boolean_property_map<edge_descriptor, false> No_edge;
+  typedef std::decay_t<decltype(choose_parameter(get_parameter(np, internal_np::edge_is_constrained), No_edge()))>
     Constrained;
-  const Constrained constrained = choose_parameter<SMS::No_constrained_edge_map<TriangleMesh> >(
-    get_parameter(np, internal_np::edge_is_constrained));
+  const Constrained constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained), No_edge());
   const auto stop = choose_parameter<Never_stop_predicate>(get_parameter(np, tags::stop));
   constexpr bool has_constraints = !is_default_parameter<CGAL_NP_CLASS, internal_np::edge_is_constrained_t>::value;
   constexpr bool may_merge = has_constraints
@@ -212,9 +213,8 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
       Rules rules(mesh, vpm, constrained, choose_parameter(get_parameter(np, internal_np::protect_constraints), true),
                   frozen);
       const auto kept = [&] {
-        if constexpr(has_constraints || may_freeze)
-          return internal::Kept_edges_map<Rules, typename boost::graph_traits<TriangleMesh>::edge_descriptor>{ &rules };
-        else return constrained;
+        if constexpr(has_constraints || may_freeze) return internal::Kept_edges_map<Rules, edge_descriptor>{ &rules };
+        else return SMS::No_constrained_edge_map<TriangleMesh>();
       }();
 
       internal::Collapse_state state;
@@ -260,8 +260,6 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
       result.retried = state.retried;
       result.end = history.end();
       result.placements = filter.statistics();
-      if constexpr(has_constraints)
-        for(auto e : edges(mesh)) result.constrained_edges += !frozen.closes(e) && get(constrained, e) ? 1 : 0;
       for(auto v : all) result.images.push_back(history.history().image(v));
       return Status::SUCCESS;
     }));

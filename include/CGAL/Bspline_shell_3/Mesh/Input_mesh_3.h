@@ -60,23 +60,18 @@ public:
                      std::shared_ptr<const Shell_closing_3> closing = nullptr,
                      std::shared_ptr<const Shell_truncation_3> truncation = nullptr)
   {
-    Mesh_with_origins copy;
-    Mesh_refusal refusal = copy_mesh<ConcurrencyTag>(mesh, vpm, copy);
-    return build<ConcurrencyTag>(std::move(refusal), std::move(copy), tolerated, std::move(closing),
+    return build<ConcurrencyTag>(copy_mesh<ConcurrencyTag>(mesh, vpm), tolerated, std::move(closing),
                                  std::move(truncation));
   }
 
-  /// Checks a mesh that was validated, closed and truncated, and finds its components.
-  /// \param refusal the reason why the mesh was refused before, if there is one
+  /// Checks a mesh that was validated, closed and truncated, unless it was refused, and finds its components.
   /// \param mesh the mesh
-  /// \param is_embedded by vertex, whether its fan is proved embedded; empty if unknown
   /// \param tolerated defects that are not checked
   template <typename ConcurrencyTag>
-  Shell_status take(Mesh_refusal refusal, Mesh_with_origins mesh, const std::vector<char>& is_embedded,
-                    const Tolerated_defects& tolerated);
+  Shell_status take(Mesh_with_origins mesh, const Tolerated_defects& tolerated);
 
   /// Status of the last call of `build()` or `take()`. Unless it is `SUCCESS`, the mesh is empty.
-  Shell_status status() const { return m_refusal.status; }
+  Shell_status status() const { return m_mesh.refusal.status; }
   const Triangle_mesh& mesh() const { return m_mesh.mesh; }
   /// Closing of the user's mesh, or null if that mesh is closed. Its triangles follow those of the mesh, and count as
   /// facets of origin.
@@ -101,7 +96,7 @@ public:
   /// `false` if the facets face the bounded side; the field then increases inwards. For a self-intersecting mesh:
   /// whether its volume is positive.
   bool faces_outwards() const { return m_outwards; }
-  const Offending_simplices& offending_simplices() const { return m_refusal.offending_simplices; }
+  const Offending_simplices& offending_simplices() const { return m_mesh.refusal.offending_simplices; }
   /// Returns the vertex of the user's mesh (position in `vertices(mesh)`) for a vertex of this mesh. Larger numbers
   /// denote vertices of the closing, followed by vertices of discs.
   std::size_t vertex_of_origin(Triangle_mesh::Vertex_index v) const { return m_mesh.vertex_origin[v]; }
@@ -109,11 +104,10 @@ public:
 
 private:
   template <typename ConcurrencyTag>
-  Shell_status build(Mesh_refusal refusal, Mesh_with_origins mesh, const Tolerated_defects& tolerated,
+  Shell_status build(Mesh_with_origins mesh, const Tolerated_defects& tolerated,
                      std::shared_ptr<const Shell_closing_3> closing,
                      std::shared_ptr<const Shell_truncation_3> truncation);
 
-  Mesh_refusal m_refusal = { Shell_status::NOT_BUILT, {} };
   Mesh_with_origins m_mesh;
   std::vector<std::size_t> m_component; // by facet
   std::size_t m_number_of_components = 0;

@@ -60,13 +60,15 @@ struct Mesh_with_origins
   typedef Triangle_mesh::Vertex_index Vertex_index;
   typedef Triangle_mesh::Face_index Face_index;
 
+  Mesh_refusal refusal = { Shell_status::NOT_BUILT, {} };
   Triangle_mesh mesh;
   std::vector<std::size_t> facet_origin, vertex_origin;                  ///< By facet, by vertex.
   std::size_t user_facets = 0, user_vertices = 0;                        ///< Numbers of elements of the user's mesh.
   std::size_t number_of_facet_origins = 0, number_of_vertex_origins = 0; ///< These, and those of closing and discs.
-  Bbox_3 bbox;                                                           ///< Smallest box around the facets.
-  std::shared_ptr<const Shell_closing_3> closing;                        ///< Null if the user's mesh is closed.
-  std::shared_ptr<const Shell_truncation_3> truncation;                  ///< Null if no tip is replaced.
+  std::vector<char> is_embedded;                  ///< By vertex, whether its fan is proved embedded; empty if unknown.
+  Bbox_3 bbox;                                    ///< Smallest box around the facets.
+  std::shared_ptr<const Shell_closing_3> closing; ///< Null if the user's mesh is closed.
+  std::shared_ptr<const Shell_truncation_3> truncation; ///< Null if no tip is replaced.
 
   /// Length of the longest side of the box.
   double unit() const { return (std::max)({ bbox.x_span(), bbox.y_span(), bbox.z_span() }); }
@@ -126,27 +128,30 @@ private:
  * \tparam VertexPointMap a model of `ReadablePropertyMap` from its vertices to points of a \cgal kernel
  * \param mesh the mesh
  * \param vpm its points
- * \param[out] copy the copy, which may have polygons; undefined if the mesh is refused
+ * \return the copy, which may have polygons, or the reason why the mesh is refused
  */
 template <typename ConcurrencyTag, typename FaceGraph, typename VertexPointMap>
-Mesh_refusal copy_mesh(const FaceGraph& mesh, VertexPointMap vpm, Mesh_with_origins& copy)
+Mesh_with_origins copy_mesh(const FaceGraph& mesh, VertexPointMap vpm)
 {
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  copy = Mesh_with_origins();
-  if(CGAL::is_empty(mesh) || faces(mesh).begin() == faces(mesh).end()) return { Shell_status::EMPTY_MESH, {} };
+  Mesh_with_origins copy;
+  copy.refusal.status = Shell_status::EMPTY_MESH;
+  if(CGAL::is_empty(mesh) || faces(mesh).begin() == faces(mesh).end()) return copy;
   std::vector<std::array<double, 3> > points;
-  std::vector<std::size_t> not_finite;
   points.reserve(vertices(mesh).size());
   for(auto v : vertices(mesh)) {
     const auto& p = get(vpm, v);
     const std::array<double, 3> point = internal::rounded_coordinates(p);
     const bool is_finite = std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
-    if(!is_finite) not_finite.push_back(points.size());
+    if(!is_finite) copy.refusal.offending_simplices.vertices.push_back(points.size());
     points.push_back(point);
   }
-  if(!not_finite.empty()) return { Shell_status::NOT_FINITE, { {}, std::move(not_finite) } };
-  if(!internal::triangulated_size(mesh).has_numbers()) return { Shell_status::TOO_MANY_FACETS, {} };
+  copy.refusal.status = Shell_status::NOT_FINITE;
+  if(!copy.refusal.offending_simplices.vertices.empty()) return copy;
+  copy.refusal.status = Shell_status::TOO_MANY_FACETS;
+  if(!internal::triangulated_size(mesh).has_numbers()) return copy;
 
+  copy.refusal.status = Shell_status::SUCCESS;
   copy.number_of_vertex_origins = copy.user_vertices = points.size();
   internal::Positions_of_origin origin = internal::copy_in_morton_order<ConcurrencyTag>(mesh, std::move(points),
                                                                                         copy.mesh);
@@ -155,13 +160,13 @@ Mesh_refusal copy_mesh(const FaceGraph& mesh, VertexPointMap vpm, Mesh_with_orig
   copy.number_of_facet_origins = copy.user_facets = copy.facet_origin.size();
   for(auto v : copy.mesh.vertices())
     if(!copy.mesh.is_isolated(v)) copy.bbox += copy.mesh.point(v).bbox();
-  return Mesh_refusal();
+  return copy;
 }
 
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
-extern template Mesh_refusal copy_mesh<Parallel_if_available_tag>(
+extern template Mesh_with_origins copy_mesh<Parallel_if_available_tag>(
   const Mesh_with_origins::Triangle_mesh&,
-  boost::property_map<Mesh_with_origins::Triangle_mesh, vertex_point_t>::const_type, Mesh_with_origins&);
+  boost::property_map<Mesh_with_origins::Triangle_mesh, vertex_point_t>::const_type);
 #endif
 
 } // namespace Bspline_shells

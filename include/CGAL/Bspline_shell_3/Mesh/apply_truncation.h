@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Mesh/Mesh_with_origins.h>
 #include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/replace_patches.h>
 #include <CGAL/Bspline_shell_3/Mesh/validate_mesh.h>
 
 #include <algorithm>
@@ -20,34 +21,22 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Returns whether a mesh has facets that a truncation cuts.
-inline bool is_cut(const Mesh_with_origins& m, const Shell_truncation_3& truncation)
-{
-  const auto in_mesh = truncation.match(m.mesh, m.mesh.points());
-  return std::any_of(in_mesh.begin(), in_mesh.end(),
-                     [](auto h) { return h != Mesh_with_origins::Triangle_mesh::null_halfedge(); });
-}
-
 // Truncates a mesh.
+// \param patches those that the mesh has
 // \pre the mesh is closed, and has no self-intersections: certificates of the truncated mesh do not cover the tips
 template <typename ConcurrencyTag>
-Mesh_refusal apply_truncation(std::shared_ptr<const Shell_truncation_3> truncation, Mesh_with_origins& m)
+Mesh_refusal apply_truncation(std::shared_ptr<const Shell_truncation_3> truncation,
+                              const Truncation_patches<Mesh_with_origins::Triangle_mesh>& patches, Mesh_with_origins& m)
 {
   typedef Mesh_with_origins::Triangle_mesh Mesh;
   typedef Mesh_with_origins::Face_index Face_index;
   typedef Mesh_with_origins::Vertex_index Vertex_index;
-  const auto in_mesh = truncation->match(m.mesh, m.mesh.points());
   // Facets of origin of the cut facets, and the vertices to be cut off.
-  std::vector<std::size_t> origin_of_cut(in_mesh.size(), 0), centers;
-  for(std::size_t n = 0; n < in_mesh.size(); ++n)
-    if(in_mesh[n] != Mesh::null_halfedge()) origin_of_cut[n] = m.facet_origin[m.mesh.face(in_mesh[n])];
-  for(const Shell_truncation_3::Disc& d : truncation->discs()) {
-    auto h = in_mesh[d.facets.front()];
-    if(h == Mesh::null_halfedge()) continue;
-    const Shell_truncation_3::Triangle& t = truncation->cut_facets()[d.facets.front()];
-    for(int i = 0; t[i] != d.center; ++i) h = m.mesh.next(h);
-    centers.push_back(m.vertex_origin[m.mesh.source(h)]);
-  }
+  std::vector<std::size_t> origin_of_cut(patches.cut_facets.size(), 0), centers;
+  for(std::size_t n = 0; n < origin_of_cut.size(); ++n)
+    if(patches.has(n)) origin_of_cut[n] = m.facet_origin[m.mesh.face(patches.cut_facets[n])];
+  for(Vertex_index v : patches.centers)
+    if(v != Mesh::null_vertex()) centers.push_back(m.vertex_origin[v]);
   const auto refused = [&] { return m.refuse_vertices(Shell_status::NOT_TRUNCATABLE, centers); };
   // Maps to and from an open mesh find its own facets only.
   const auto is_of_closing = [&](std::size_t facet) { return m.part_of_facet(facet) == Surface_part::CLOSING; };
@@ -57,13 +46,14 @@ Mesh_refusal apply_truncation(std::shared_ptr<const Shell_truncation_3> truncati
   auto vertex_origin = m.mesh.add_property_map<Vertex_index, std::size_t>("v:origin").first;
   for(Face_index f : m.mesh.faces()) facet_origin[f] = m.facet_origin[f];
   for(Vertex_index v : m.mesh.vertices()) vertex_origin[v] = m.vertex_origin[v];
-  const auto truncated = truncation->apply(m.mesh, m.mesh.points());
+  const auto truncated = replace_patches(*truncation, patches, m.mesh, m.mesh.points());
   if(!truncated) return refused();
   for(std::size_t n = 0; n < truncated->facets.size(); ++n) {
     const Face_index f = truncated->facets[n];
     if(f == Mesh::null_face()) continue; // the mesh does not have its patch
-    const bool is_core = truncation->disc_of_new_facet(n) == Shell_truncation_3::npos;
-    facet_origin[f] = is_core ? origin_of_cut[truncation->cores()[n].facet] : m.number_of_facet_origins++;
+    const Shell_truncation_3::New_facet& facet = truncation->new_facets()[n];
+    facet_origin[f] = facet.disc == Shell_truncation_3::npos ? origin_of_cut[facet.cut_facet]
+                                                             : m.number_of_facet_origins++;
   }
   for(std::size_t n = truncation->number_of_corners(); n < truncated->vertices.size(); ++n)
     if(truncated->vertices[n] != Mesh::null_vertex()) {
@@ -78,6 +68,7 @@ Mesh_refusal apply_truncation(std::shared_ptr<const Shell_truncation_3> truncati
   m.mesh.remove_property_map(facet_origin);
   m.mesh.remove_property_map(vertex_origin);
   m.truncation = std::move(truncation);
+  m.is_embedded.clear();
   return is_closed_surface<ConcurrencyTag>(m) ? Mesh_refusal() : refused();
 }
 

@@ -21,14 +21,13 @@ namespace Bspline_shells {
 namespace internal {
 
 // Facets must not intersect, except along common edges and vertices.
-// \param[out] is_embedded by vertex, whether its fan is proved embedded
 template <typename ConcurrencyTag>
-Mesh_refusal check_intersections(const Mesh_with_origins& m, std::vector<char>& is_embedded)
+Mesh_refusal check_intersections(Mesh_with_origins& m)
 {
   constexpr unsigned int max_pairs = 1000; // overlapping meshes may have a quadratic number of pairs
-  is_embedded = embedded_fans<ConcurrencyTag>(m.mesh);
+  m.is_embedded = embedded_fans<ConcurrencyTag>(m.mesh);
   std::vector<std::size_t> facets, with_closing;
-  for(const auto& pair : intersecting_facets<ConcurrencyTag>(m.mesh, is_embedded, max_pairs)) {
+  for(const auto& pair : intersecting_facets<ConcurrencyTag>(m.mesh, m.is_embedded, max_pairs)) {
     const std::size_t f = m.facet_origin[pair.first], g = m.facet_origin[pair.second];
     auto& found = f < m.user_facets && g < m.user_facets ? facets : with_closing;
     found.push_back(f);
@@ -39,9 +38,8 @@ Mesh_refusal check_intersections(const Mesh_with_origins& m, std::vector<char>& 
 }
 
 // The facets at each vertex must face a common direction.
-// \param is_embedded by vertex, whether its fan is proved embedded; empty if unknown
 template <typename ConcurrencyTag>
-Mesh_refusal check_vertices(const Mesh_with_origins& m, const std::vector<char>& is_embedded)
+Mesh_refusal check_vertices(const Mesh_with_origins& m)
 {
   constexpr std::size_t chunk = 1024;
   return m.refuse_vertices(
@@ -50,7 +48,7 @@ Mesh_refusal check_vertices(const Mesh_with_origins& m, const std::vector<char>&
       m.mesh.number_of_vertices(), chunk, [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& found) {
         for(std::size_t n = begin; n < end; ++n) {
           const Mesh_with_origins::Vertex_index v(static_cast<unsigned int>(n));
-          const bool is_regular = (!is_embedded.empty() && is_embedded[n]) || m.mesh.is_isolated(v)
+          const bool is_regular = (!m.is_embedded.empty() && m.is_embedded[n]) || m.mesh.is_isolated(v)
                                   || vertex_cone(m.mesh, v);
           if(!is_regular) found.push_back(m.vertex_origin[n]);
         }

@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_PROJECTION_PROJECTION_TARGET_3_H
 
 #include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/replace_patches.h>
 #include <CGAL/Bspline_shell_3/Projection/Projection_facets_3.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/Truncated_facets.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
@@ -143,17 +144,15 @@ private:
   void truncate(const std::shared_ptr<const Shell_truncation_3>& truncation, VertexPointMap vpm,
                 const std::vector<Facet>& facets)
   {
-    const auto in_mesh = truncation->match(*m_mesh, vpm);
+    const auto patches = find_patches(*truncation, *m_mesh, vpm);
+    if(patches.empty()) return;
     std::vector<internal::Truncated_facets::Cut_facet> cut;
-    bool is_any = false;
-    for(auto first : in_mesh) {
+    for(auto first : patches.cut_facets) {
       cut.push_back({ npos, 0 });
       if(first == Graph_traits::null_halfedge()) continue;
-      is_any = true;
       cut.back().facet = facet_of(face(first, *m_mesh));
       for(auto h = halfedge(face(first, *m_mesh), *m_mesh); h != first; h = next(h, *m_mesh)) ++cut.back().corner;
     }
-    if(!is_any) return;
     m_truncated = std::make_unique<const internal::Truncated_facets>(truncation, facets, std::move(cut));
     std::size_t n = 0;
     for(auto v : vertices(*m_mesh)) {

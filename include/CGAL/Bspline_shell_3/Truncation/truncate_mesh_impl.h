@@ -6,12 +6,14 @@
 #ifndef CGAL_BSPLINE_SHELL_3_TRUNCATION_TRUNCATE_MESH_IMPL_H
 #define CGAL_BSPLINE_SHELL_3_TRUNCATION_TRUNCATE_MESH_IMPL_H
 
+#include <CGAL/Bspline_shell_3/Mesh/replace_patches.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 #include <CGAL/Bspline_shell_3/Truncation/internal/Disc_search.h>
 #include <CGAL/Bspline_shell_3/Truncation/internal/Tip.h>
+#include <CGAL/Bspline_shell_3/Truncation/internal/Truncation_tuning.h>
 #include <CGAL/Bspline_shell_3/Truncation/internal/assemble_truncation.h>
 #include <CGAL/Bspline_shell_3/Truncation/truncate_mesh.h>
 
@@ -51,55 +53,63 @@ public:
   {
     find_tips(least_margin);
     if(!m_tips.empty()) shrink_tips();
-    std::vector<std::optional<Tip_disc> > discs = find_discs();
-    // If a disc intersects other facets, or its own facets by rounding, its radius is halved.
-    constexpr int most_rounds = 8;
-    for(int round = 0; !m_tips.empty(); ++round) {
-      drop_tips([&](std::size_t n) { return !discs[n]; }, discs, Outcome::NO_DISC);
-      if(m_tips.empty()) break;
-      std::vector<Tip_disc> found;
-      for(const auto& d : discs) found.push_back(*d);
-      auto truncation = std::make_shared<const Shell_truncation_3>(assemble_truncation(m_mesh, m_tips, found));
+    for_each_chunk<ConcurrencyTag>(m_tips.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t n = begin; n < end; ++n) find_disc(m_tips[n]);
+    });
+    std::shared_ptr<const Shell_truncation_3> truncation = replace_tips();
+    std::sort(m_report.vertices.begin(), m_report.vertices.end(),
+              [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
+    return truncation;
+  }
+
+private:
+  struct Replaced_tip : Tip
+  {
+    using Tip::Tip;
+    std::optional<Tip_disc> disc; // the disc that replaces it, if one is found
+  };
+
+  // If a disc intersects other facets, or its own facets by rounding, its radius is halved.
+  std::shared_ptr<const Shell_truncation_3> replace_tips()
+  {
+    for(int round = 0;; ++round) {
+      drop_tips([](const Replaced_tip& tip) { return !tip.disc; }, Outcome::NO_DISC);
+      if(m_tips.empty()) return nullptr;
+      std::vector<Tip_disc> discs;
+      for(const Replaced_tip& tip : m_tips) discs.push_back(*tip.disc);
+      auto truncation = std::make_shared<const Shell_truncation_3>(
+        assemble_truncation(m_mesh, std::vector<Tip>(m_tips.begin(), m_tips.end()), discs));
       if(!truncation->is_valid()) {
-        drop_tips([](std::size_t) { return true; }, discs, Outcome::NO_SPACE);
-        break;
+        drop_tips([](const Replaced_tip&) { return true; }, Outcome::NO_SPACE);
+        return nullptr;
       }
       const std::unordered_set<std::size_t> intersecting = intersecting_tips(*truncation);
       if(intersecting.empty()) {
-        for(std::size_t n = 0; n < m_tips.size(); ++n) {
-          note(m_tips[n], Outcome::TRUNCATED);
-          m_report.vertices.back().margin_after = found[n].margin;
-          m_report.vertices.back().triangles = found[n].triangles.size();
-        }
-        sort_report();
+        for(const Replaced_tip& tip : m_tips) note(tip, Outcome::TRUNCATED);
         return truncation;
       }
       for(std::size_t n : intersecting) {
         m_tips[n].radius /= 2;
-        discs[n].reset();
-        if(round < most_rounds) discs[n] = disc(m_tips[n]);
+        m_tips[n].disc.reset();
+        if(round < truncation_tuning.max_halvings) find_disc(m_tips[n]);
       }
     }
-    sort_report();
-    return nullptr;
   }
 
-private:
-  void note(const Tip& tip, Outcome outcome)
+  void note(const Replaced_tip& tip, Outcome outcome)
   {
     Truncation_report::Vertex v;
     v.vertex = m_input.vertex_origin[tip.vertex];
     v.point = { tip.center.x(), tip.center.y(), tip.center.z() };
     v.outcome = outcome;
-    v.radius = outcome == Outcome::TRUNCATED ? tip.radius : 0;
+    v.radius = 0;
     v.margin_before = v.margin_after = tip.margin;
+    if(outcome == Outcome::TRUNCATED) {
+      v.radius = tip.radius;
+      v.margin_after = tip.disc->margin;
+      v.triangles = tip.disc->triangles.size();
+    }
     m_report.vertices.push_back(v);
-  }
-
-  void sort_report()
-  {
-    std::sort(m_report.vertices.begin(), m_report.vertices.end(),
-              [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
   }
 
   // Returns whether the vertex is on the border of an open mesh.
@@ -113,22 +123,21 @@ private:
   void find_tips(double least_margin)
   {
     const std::vector<Vertex_index> vertices(m_mesh.vertices().begin(), m_mesh.vertices().end());
-    std::vector<char> is_tip(vertices.size(), 0);
     constexpr std::size_t chunk = 256;
-    internal::for_each_chunk<ConcurrencyTag>(vertices.size(), chunk, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t n = begin; n < end; ++n) {
-        if(m_mesh.is_isolated(vertices[n])) continue;
-        const std::optional<double> margin = bounded_vertex_cone_margin(m_mesh, vertices[n], least_margin);
-        is_tip[n] = !margin || *margin < least_margin;
-      }
-    });
-    for(std::size_t n = 0; n < vertices.size(); ++n) {
-      if(!is_tip[n]) continue;
-      Tip tip(m_mesh, vertices[n]);
-      if(!vertex_cone(m_mesh, vertices[n])) tip.margin = 0;
-      if(m_input.vertex_origin[vertices[n]] >= m_input.user_vertices) continue;
-      if(closes(vertices[n])) note(tip, Outcome::ON_BORDER);
-      else if(tip.largest_margin() < least_gain * tip.margin) note(tip, Outcome::FOLDED_EDGE);
+    const std::vector<Vertex_index> sharp = collect_from_chunks<ConcurrencyTag, Vertex_index>(
+      vertices.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<Vertex_index>& found) {
+        for(std::size_t n = begin; n < end; ++n) {
+          if(m_mesh.is_isolated(vertices[n])) continue;
+          const std::optional<double> margin = bounded_vertex_cone_margin(m_mesh, vertices[n], least_margin);
+          if(!margin || *margin < least_margin) found.push_back(vertices[n]);
+        }
+      });
+    for(Vertex_index v : sharp) {
+      if(m_input.vertex_origin[v] >= m_input.user_vertices) continue;
+      Replaced_tip tip(m_mesh, v);
+      if(!vertex_cone(m_mesh, v)) tip.margin = 0;
+      if(closes(v)) note(tip, Outcome::ON_BORDER);
+      else if(tip.largest_margin() < truncation_tuning.least_gain * tip.margin) note(tip, Outcome::FOLDED_EDGE);
       else m_tips.push_back(std::move(tip));
     }
   }
@@ -141,29 +150,22 @@ private:
     const double largest = (std::max)({ std::abs(m_input.bbox.xmin()), std::abs(m_input.bbox.xmax()),
                                         std::abs(m_input.bbox.ymin()), std::abs(m_input.bbox.ymax()),
                                         std::abs(m_input.bbox.zmin()), std::abs(m_input.bbox.zmax()) });
-    for(Tip& tip : m_tips) {
+    for(Replaced_tip& tip : m_tips) {
       Run::poll();
-      constexpr double part_of_edge = 1. / 3;
       double r = (std::min)(m_largest_radius({ tip.center.x(), tip.center.y(), tip.center.z() }),
-                            part_of_edge * tip.shortest_edge());
+                            truncation_tuning.radius_per_edge * tip.shortest_edge());
       std::vector<Face_index> near;
       m_tree.all_intersected_primitives(box_around(tip.center, 2 * r), std::back_inserter(near));
       for(Face_index f : near) {
         if(std::find(tip.facets.begin(), tip.facets.end(), f) != tip.facets.end()) continue;
         const auto t = m_input.triangle(f);
-        r = (std::min)(r, std::sqrt(CGAL::squared_distance(tip.center, Truncation_kernel::Triangle_3(t[0], t[1], t[2])))
-                            / 2);
+        const Truncation_kernel::Triangle_3 triangle(t[0], t[1], t[2]);
+        r = (std::min)(r, truncation_tuning.radius_per_gap * std::sqrt(CGAL::squared_distance(tip.center, triangle)));
       }
       tip.radius = r;
     }
-    // Least radius for which the directions of the disc's edges have about five digits.
-    const double smallest = 1e-11 * largest;
-    std::vector<Tip> tips;
-    for(Tip& tip : m_tips) {
-      if(tip.radius > smallest) tips.push_back(std::move(tip));
-      else note(tip, Outcome::NO_SPACE);
-    }
-    m_tips.swap(tips);
+    const double smallest = truncation_tuning.least_radius * largest;
+    drop_tips([smallest](const Replaced_tip& tip) { return !(tip.radius > smallest); }, Outcome::NO_SPACE);
   }
 
   static Bbox_3 box_around(const Tip::Point_3& p, double r)
@@ -171,45 +173,26 @@ private:
     return Bbox_3(p.x() - r, p.y() - r, p.z() - r, p.x() + r, p.y() + r, p.z() + r);
   }
 
-  static std::optional<Tip_disc> disc(const Tip& tip)
+  static void find_disc(Replaced_tip& tip)
   {
     Run::poll();
-    std::optional<Tip_disc> found = Disc_search(tip)();
-    if(found && !(found->margin >= least_gain * tip.margin)) found.reset();
-    return found;
-  }
-
-  std::vector<std::optional<Tip_disc> > find_discs() const
-  {
-    std::vector<std::optional<Tip_disc> > discs(m_tips.size());
-    internal::for_each_chunk<ConcurrencyTag>(m_tips.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t n = begin; n < end; ++n) discs[n] = disc(m_tips[n]);
-    });
-    return discs;
+    tip.disc = Disc_search(tip)();
+    if(tip.disc && !(tip.disc->margin >= truncation_tuning.least_gain * tip.margin)) tip.disc.reset();
   }
 
   template <typename Predicate>
-  void drop_tips(const Predicate& is_dropped, std::vector<std::optional<Tip_disc> >& discs, Outcome outcome)
+  void drop_tips(const Predicate& is_dropped, Outcome outcome)
   {
-    std::vector<Tip> tips;
-    std::vector<std::optional<Tip_disc> > kept;
-    for(std::size_t n = 0; n < m_tips.size(); ++n) {
-      if(is_dropped(n)) {
-        note(m_tips[n], outcome);
-        continue;
-      }
-      tips.push_back(std::move(m_tips[n]));
-      kept.push_back(std::move(discs[n]));
-    }
-    m_tips.swap(tips);
-    discs.swap(kept);
+    for(const Replaced_tip& tip : m_tips)
+      if(is_dropped(tip)) note(tip, outcome);
+    m_tips.erase(std::remove_if(m_tips.begin(), m_tips.end(), is_dropped), m_tips.end());
   }
 
   // Returns the tips whose new facets intersect others; all tips if the truncation does not fit the mesh.
   std::unordered_set<std::size_t> intersecting_tips(const Shell_truncation_3& truncation) const
   {
     Mesh truncated(m_mesh);
-    const auto applied = truncation.apply(truncated, truncated.points());
+    const auto applied = replace_patches(truncation, truncated, truncated.points());
     std::unordered_set<std::size_t> tips;
     // In a mesh with self-intersections, vertices may have equal positions.
     if(!applied || std::count(applied->facets.begin(), applied->facets.end(), Mesh::null_face()) > 0) {
@@ -239,28 +222,24 @@ private:
       for(Face_index f : { pair.first, pair.second }) {
         const auto found = number.find(f);
         if(found == number.end()) continue;
-        const auto disc = truncation.disc_of_new_facet(found->second);
-        if(disc != Shell_truncation_3::npos) {
-          tips.insert(disc);
+        const Shell_truncation_3::New_facet& facet = truncation.new_facets()[found->second];
+        if(facet.disc != Shell_truncation_3::npos) {
+          tips.insert(facet.disc);
           continue;
         }
-        const auto facet = truncation.cores()[found->second].facet;
         for(std::size_t d = 0; d < truncation.discs().size(); ++d) {
           const auto& of_disc = truncation.discs()[d].facets;
-          if(std::find(of_disc.begin(), of_disc.end(), facet) != of_disc.end()) tips.insert(d);
+          if(std::find(of_disc.begin(), of_disc.end(), facet.cut_facet) != of_disc.end()) tips.insert(d);
         }
       }
     return tips;
   }
 
-  // A smaller increase of the margin is not worth the cost.
-  static constexpr double least_gain = 2;
-
   const Mesh_with_origins& m_input;
   const Mesh& m_mesh;
   const std::function<double(const std::array<double, 3>&)>& m_largest_radius;
   Truncation_report& m_report;
-  std::vector<Tip> m_tips;
+  std::vector<Replaced_tip> m_tips;
   AABB_tree<internal::AABB_traits_3<Truncation_kernel, AABB_face_graph_triangle_primitive<Mesh> > > m_tree;
 };
 

@@ -7,14 +7,13 @@
 #define CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_COLLAPSE_RULES_H
 
 #include <CGAL/Bspline_shell_3/Editing/internal/Frozen_facets.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/constrained_edges.h>
 
-#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -42,8 +41,6 @@ class Collapse_rules
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename boost::property_traits<VertexPointMap>::value_type Point;
-  static constexpr bool has_constraints =
-    !std::is_same<EdgeIsConstrainedMap, Surface_mesh_simplification::No_constrained_edge_map<TriangleMesh> >::value;
 
 public:
   Collapse_rules(const TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConstrainedMap constrained, bool protects,
@@ -80,11 +77,7 @@ public:
     allowed.are_all = number_0 == 0 && number_1 == 0;
     if(allowed.are_all) return allowed;
     const bool is_along = !m_protects && is_constrained(profile.v0_v1());
-    // Two sides of a facet become one: at most one of them may be constrained.
-    if(is_along
-       && (are_both_constrained(profile.vL_v0(), profile.v1_vL())
-           || are_both_constrained(profile.vR_v1(), profile.v0_vR())))
-      return allowed;
+    if(is_along && would_join_constrained_edges(profile.v0_v1(), m_mesh, m_constrained)) return allowed;
     if(is_along ? number_1 == 2 : number_1 == 0) allowed.places.push_back(profile.p0());
     if(is_along ? number_0 == 2 : number_0 == 0) allowed.places.push_back(profile.p1());
     return allowed;
@@ -114,17 +107,9 @@ public:
 
 private:
   bool is_constrained(halfedge_descriptor h) const { return get(m_constrained, edge(h, m_mesh)); }
-  bool are_both_constrained(halfedge_descriptor g, halfedge_descriptor h) const
-  {
-    return is_constrained(g) && is_constrained(h);
-  }
-
   std::size_t number_of_constrained_edges(vertex_descriptor v) const
   {
-    std::size_t number = 0;
-    if constexpr(has_constraints)
-      for(halfedge_descriptor h : CGAL::halfedges_around_target(v, m_mesh)) number += is_constrained(h) ? 1 : 0;
-    return number;
+    return internal::number_of_constrained_edges(v, m_mesh, m_constrained);
   }
 
   bool has_zero_edge(vertex_descriptor v) const

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Editing/Edit_report.h>
 #include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/replace_patches.h>
 #include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
 #include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
@@ -34,25 +35,20 @@ public:
   bool truncate(const Shell_truncation_3& truncation, TriangleMesh& mesh, VertexPointMap vpm,
                 std::vector<vertex_descriptor>& all)
   {
-    const auto in_mesh = truncation.match(mesh, vpm);
-    const auto none_there = boost::graph_traits<TriangleMesh>::null_halfedge();
-    const auto is_there = [&](std::size_t f) { return in_mesh[f] != none_there; };
-    std::unordered_map<vertex_descriptor, std::size_t> disc_of; // by center
-    for(std::size_t d = 0; d < truncation.discs().size(); ++d) {
-      const std::size_t f = truncation.discs()[d].facets.front();
-      if(!is_there(f)) continue;
-      auto h = in_mesh[f];
-      for(int i = 0; truncation.cut_facets()[f][i] != truncation.discs()[d].center; ++i) h = next(h, mesh);
-      disc_of.emplace(source(h, mesh), d);
-    }
-    if(disc_of.empty()) return true;
+    const auto patches = find_patches(truncation, mesh, vpm);
+    if(patches.empty()) return true;
     for(face_descriptor f : faces(mesh)) m_facets.emplace(f, m_facets.size());
     for(vertex_descriptor v : vertices(mesh)) m_vertices.emplace(v, m_vertices.size());
-    std::vector<std::size_t> cut(in_mesh.size(), none), center(truncation.discs().size(), none);
-    for(std::size_t f = 0; f < in_mesh.size(); ++f)
-      if(is_there(f)) cut[f] = m_facets.at(face(in_mesh[f], mesh));
-    for(const auto& pair : disc_of) center[pair.second] = m_vertices.at(pair.first);
-    const auto truncated = truncation.apply(mesh, vpm);
+    std::vector<std::size_t> cut(truncation.cut_facets().size(), none), center(truncation.discs().size(), none);
+    for(std::size_t f = 0; f < cut.size(); ++f)
+      if(patches.has(f)) cut[f] = m_facets.at(face(patches.cut_facets[f], mesh));
+    std::unordered_map<vertex_descriptor, std::size_t> disc_of; // by center
+    for(std::size_t d = 0; d < center.size(); ++d) {
+      if(patches.centers[d] == boost::graph_traits<TriangleMesh>::null_vertex()) continue;
+      disc_of.emplace(patches.centers[d], d);
+      center[d] = m_vertices.at(patches.centers[d]);
+    }
+    const auto truncated = replace_patches(truncation, patches, mesh, vpm);
     if(!truncated) return false;
     for(vertex_descriptor& v : all) {
       const auto found = disc_of.find(v);
@@ -61,11 +57,12 @@ public:
     for(std::size_t n = 0; n < truncated->facets.size(); ++n) {
       const face_descriptor f = truncated->facets[n];
       if(f == boost::graph_traits<TriangleMesh>::null_face()) continue;
-      const auto d = truncation.disc_of_new_facet(n);
-      m_facets[f] = d == Shell_truncation_3::npos ? cut[truncation.cores()[n].facet] : none;
-      if(d == Shell_truncation_3::npos) continue;
-      m_center_of_facet[f] = center[d];
-      for(auto p : truncation.new_facet(n)) m_vertices[truncated->vertices[p]] = center[d];
+      const Shell_truncation_3::New_facet& facet = truncation.new_facets()[n];
+      const bool is_core = facet.disc == Shell_truncation_3::npos;
+      m_facets[f] = is_core ? cut[facet.cut_facet] : none;
+      if(is_core) continue;
+      m_center_of_facet[f] = center[facet.disc];
+      for(auto p : facet.triangle) m_vertices[truncated->vertices[p]] = center[facet.disc];
     }
     return true;
   }

@@ -6,7 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_REMESHING_TUNING_H
 #define CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_REMESHING_TUNING_H
 
-#include <cstddef>
+#include <array>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -24,6 +24,8 @@ struct Remeshing_tuning
   double regular_quality = 0.3;
   // Quality that must remain after a move; or the quality before, if it is lower.
   double good_quality = 0.7;
+  // Fractions of a move that are tried, in this order.
+  std::array<double, 3> parts_of_moves = { { 1, 0.5, 0.25 } };
   // Factor by which a flip must improve the quality, and the number of passes of such flips.
   double least_gain = 1.01;
   int max_flip_passes = 10;

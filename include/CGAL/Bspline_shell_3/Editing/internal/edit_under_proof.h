@@ -140,6 +140,8 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     const Edit_status edited = edit(oracle, frozen, all);
     lap(result.edit_seconds);
     if(edited != Edit_status::SUCCESS) return undone(edited);
+    if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value)
+      for(auto e : edges(mesh)) result.constrained_edges += !frozen.closes(e) && get(edge_is_constrained, e) ? 1 : 0;
 
     Offending_simplices others;
     bool are_others_accepted = true;

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Projection_facets_3.h>
+#include <CGAL/Bspline_shell_3/Projection/internal/Truncation_map.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -42,10 +43,10 @@ public:
     int corner;
   };
 
-  Truncated_facets(std::shared_ptr<const Shell_truncation_3> truncation, const std::vector<Facet>& facets,
+  Truncated_facets(const std::shared_ptr<const Shell_truncation_3>& truncation, const std::vector<Facet>& facets,
                    std::vector<Cut_facet> cut)
-    : m_truncation(std::move(truncation)), m_cut(std::move(cut)), m_cut_of(facets.size(), npos),
-      m_traced_of(facets.size(), npos), m_traced_of_new(m_truncation->number_of_new_facets(), npos)
+    : m_map(truncation), m_cut(std::move(cut)), m_cut_of(facets.size(), npos), m_traced_of(facets.size(), npos),
+      m_traced_of_new(truncation->new_facets().size(), npos)
   {
     for(std::size_t n = 0; n < m_cut.size(); ++n)
       if(m_cut[n].facet != npos) m_cut_of[m_cut[n].facet] = Index(n);
@@ -57,14 +58,13 @@ public:
       traced.push_back(facets[f]);
     }
     for(std::size_t n = 0; n < m_traced_of_new.size(); ++n) {
-      const Index disc = m_truncation->disc_of_new_facet(n);
-      const Index in_cut = disc == npos ? m_truncation->cores()[n].facet : m_truncation->discs()[disc].facets.front();
-      if(m_cut[in_cut].facet == npos) continue;
+      const Shell_truncation_3::New_facet& of_truncation = truncation->new_facets()[n];
+      if(m_cut[of_truncation.cut_facet].facet == npos) continue;
       m_traced_of_new[n] = Index(traced.size());
       m_origins.push_back({ npos, Index(n) });
       Facet facet;
       facet.neighbor.fill(npos);
-      for(int i = 0; i < 3; ++i) facet.vertex[i] = m_truncation->points()[m_truncation->new_facet(n)[i]];
+      for(int i = 0; i < 3; ++i) facet.vertex[i] = truncation->points()[of_truncation.triangle[i]];
       traced.push_back(facet);
     }
     // First the edges of uncut facets; then the edges of new facets with each other and with uncut facets.
@@ -75,7 +75,7 @@ public:
     for(std::size_t n = 0; n < m_traced_of_new.size(); ++n)
       if(m_traced_of_new[n] != npos)
         for(int i = 0; i < 3; ++i) {
-          const auto& t = m_truncation->new_facet(n);
+          const auto& t = truncation->new_facets()[n].triangle;
           edges[{ t[i], t[(i + 1) % 3] }] = { m_traced_of_new[n], i };
         }
     for(const auto& e : edges) {
@@ -84,7 +84,7 @@ public:
     }
     for(std::size_t n = 0; n < m_cut.size(); ++n)
       for(int i = 0; i < 3 && m_cut[n].facet != npos; ++i) {
-        const auto& t = m_truncation->cut_facets()[n];
+        const auto& t = truncation->cut_facets()[n];
         const auto side = edges.find({ t[i], t[(i + 1) % 3] });
         const Index beyond = facets[m_cut[n].facet].neighbor[(m_cut[n].corner + i) % 3];
         if(side == edges.end() || beyond == npos || m_traced_of[beyond] == npos) continue;
@@ -103,7 +103,7 @@ public:
   Place traced(const Place& place) const
   {
     if(!is_cut(place.first)) return { m_traced_of[place.first], place.second };
-    const auto image = m_truncation->image(in_cut_facet(place));
+    const auto image = m_map.image(in_cut_facet(place));
     return { m_traced_of_new[image.facet], image.barycentric };
   }
 
@@ -112,7 +112,7 @@ public:
   {
     const Origin& origin = m_origins[place.first];
     if(origin.facet != npos) return { origin.facet, place.second };
-    const auto preimage = m_truncation->preimage({ origin.new_facet, place.second });
+    const auto preimage = m_map.preimage({ origin.new_facet, place.second });
     const Cut_facet& cut = m_cut[preimage.facet];
     Place result = { cut.facet, {} };
     for(int i = 0; i < 3; ++i) result.second[(cut.corner + i) % 3] = preimage.barycentric[i];
@@ -124,7 +124,7 @@ public:
   Eigen::Matrix3d derivative(const Place& place, const std::array<Coordinates, 3>& vertices) const
   {
     if(!is_cut(place.first)) return Eigen::Matrix3d::Identity();
-    const auto columns = m_truncation->derivative(in_cut_facet(place));
+    const auto columns = m_map.derivative(in_cut_facet(place));
     const Index traced_facet = traced(place).first;
     const auto eigen = [](const Coordinates& p) { return Eigen::Vector3d(p[0], p[1], p[2]); };
     // images of the vectors from the first corner of the cut facet to the other corners
@@ -148,15 +148,15 @@ private:
     Index facet, new_facet;
   };
 
-  Shell_truncation_3::Place in_cut_facet(const Place& place) const
+  Truncation_map::Place in_cut_facet(const Place& place) const
   {
     const Index n = m_cut_of[place.first];
-    Shell_truncation_3::Place result = { n, {} };
+    Truncation_map::Place result = { n, {} };
     for(int i = 0; i < 3; ++i) result.barycentric[i] = place.second[(m_cut[n].corner + i) % 3];
     return result;
   }
 
-  std::shared_ptr<const Shell_truncation_3> m_truncation;
+  Truncation_map m_map;
   Projection_facets_3 m_facets;
   std::vector<Cut_facet> m_cut;
   std::vector<Index> m_cut_of, m_traced_of, m_traced_of_new; // by facet of the mesh, and by new facet

@@ -6,8 +6,10 @@
 #ifndef CGAL_BSPLINE_SHELL_3_TRUNCATION_INTERNAL_DISC_SEARCH_H
 #define CGAL_BSPLINE_SHELL_3_TRUNCATION_INTERNAL_DISC_SEARCH_H
 
+#include <CGAL/Bspline_shell_3/Mesh/replace_patches.h>
 #include <CGAL/Bspline_shell_3/Mesh/triangulate_polygon.h>
 #include <CGAL/Bspline_shell_3/Truncation/internal/Tip.h>
+#include <CGAL/Bspline_shell_3/Truncation/internal/Truncation_tuning.h>
 #include <CGAL/Bspline_shell_3/Truncation/internal/assemble_truncation.h>
 #include <CGAL/Bspline_shell_3/Truncation/internal/Spherical_discs.h>
 
@@ -37,7 +39,8 @@ class Disc_search
   typedef Tip::Vector_3 Vector_3;
   typedef std::array<std::size_t, 3> Triangle;
 public:
-  explicit Disc_search(const Tip& tip) : m_tip(tip), m_goal(good_share * (std::min)(tip.largest_margin(), good_margin))
+  explicit Disc_search(const Tip& tip)
+    : m_tip(tip), m_goal(truncation_tuning.good_share * (std::min)(tip.largest_margin(), truncation_tuning.good_margin))
   {}
 
   // Returns the best disc found, or nothing.
@@ -45,24 +48,20 @@ public:
   {
     std::mt19937 random(1);
     std::vector<double> radii(m_tip.size(), m_tip.radius);
-    constexpr int attempts = 40;
-    for(int n = 0; n < attempts && !is_good(); ++n) {
+    constexpr double least = truncation_tuning.least_distance;
+    for(int n = 0; n < truncation_tuning.max_attempts && !is_good(); ++n) {
       if(n > 0)
-        for(double& r : radii) r = m_tip.radius * (0.25 + 0.75 * double(random()) / double(std::mt19937::max()));
+        for(double& r : radii)
+          r = m_tip.radius * (least + (1 - least) * double(random()) / double(std::mt19937::max()));
       search_triangulations(radii);
       if(!is_good()) search_apex(radii);
     }
-    if(!m_best || m_best->margin < spherical_share * m_goal)
+    if(!m_best || m_best->margin < truncation_tuning.spherical_share * m_goal)
       for(const Tip_disc& disc : Spherical_discs(m_tip)()) offer(disc);
     return m_best;
   }
 
 private:
-  // A margin of `good_margin` leaves enough room (the margin at a right angle is 0.7). The goal is `good_share` of it,
-  // or of the largest possible margin if that is smaller. Parts of a sphere are tried if the margin is below
-  // `spherical_share` of the goal.
-  static constexpr double good_margin = 0.35, good_share = 0.8, spherical_share = 0.5;
-
   bool is_good() const { return m_best && m_best->margin >= m_goal; }
   double best_margin() const { return m_best ? m_best->margin : 0; }
 
@@ -87,7 +86,7 @@ private:
   {
     Tip_disc disc = empty_disc(radii);
     const std::size_t k = disc.rim.size();
-    constexpr std::size_t most_fans = 12;
+    constexpr std::size_t most_fans = truncation_tuning.max_fans;
     std::vector<std::vector<Triangle> > begins;
     std::vector<Point_3> polygon;
     for(const auto& p : disc.rim) polygon.push_back(p.point);
@@ -145,9 +144,8 @@ private:
     Vector_3 centroid = NULL_VECTOR, mean = NULL_VECTOR;
     for(const auto& p : disc.rim) centroid = centroid + (p.point - m_tip.center) / double(k);
     for(const Point_3& n : m_tip.normals) mean = mean + (n - CGAL::ORIGIN) / double(k);
-    const double r = m_tip.radius;
-    for(const Vector_3& begin :
-        { centroid, Vector_3(centroid + 0.3 * r * mean), Vector_3(centroid - 0.3 * r * mean) }) {
+    const double r = m_tip.radius, offset = truncation_tuning.apex_offset * r;
+    for(const Vector_3& begin : { centroid, Vector_3(centroid + offset * mean), Vector_3(centroid - offset * mean) }) {
       Vector_3 at = begin;
       const auto measured = [&](const Vector_3& v) {
         disc.inner = { m_tip.center + v };
@@ -155,7 +153,8 @@ private:
         return disc.margin;
       };
       double margin = measured(at);
-      for(double step = r / 4; step > r / 100; step /= 2)
+      double step = truncation_tuning.first_apex_step * r;
+      for(int n = 0; n < truncation_tuning.apex_steps; ++n, step /= 2)
         for(int a = 0; a < 3; ++a)
           for(double sign : { -1., 1. }) {
             const Vector_3 moved = at + sign * step * Vector_3(a == 0, a == 1, a == 2);
@@ -181,8 +180,9 @@ private:
       tip.facets[i] = star.add_face(tip.vertex, tip.link[i], tip.link[(i + 1) % tip.size()]);
     const Shell_truncation_3 truncation = assemble_truncation(star, { tip }, { disc });
     if(!truncation.is_valid()) return false;
-    const auto truncated = truncation.apply(star, star.points());
-    return truncated && truncated->patches == 1 && !Polygon_mesh_processing::does_self_intersect<Sequential_tag>(star);
+    const auto patches = find_patches(truncation, star, star.points());
+    return !patches.empty() && replace_patches(truncation, patches, star, star.points())
+           && !Polygon_mesh_processing::does_self_intersect<Sequential_tag>(star);
   }
 
   const Tip& m_tip;

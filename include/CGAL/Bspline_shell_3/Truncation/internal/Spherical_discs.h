@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_TRUNCATION_INTERNAL_SPHERICAL_DISCS_H
 
 #include <CGAL/Bspline_shell_3/Truncation/internal/Tip.h>
+#include <CGAL/Bspline_shell_3/Truncation/internal/Truncation_tuning.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Polygon_2.h>
@@ -55,7 +56,7 @@ public:
       }
     }
     // Points on a spiral on the sphere, about as dense as the rim.
-    const int number = int(16 / (width * width));
+    const int number = int(truncation_tuning.points_on_sphere / (width * width));
     for(int n = 0; n < number; ++n) {
       const double z = 1 - (2 * n + 1) / double(number), angle = CGAL_PI * (3 - std::sqrt(5.)) * n,
                    rho = std::sqrt(1 - z * z);
@@ -86,7 +87,7 @@ public:
 
 private:
   typedef CGAL::Polygon_2<Truncation_kernel> Polygon;
-  static constexpr double width = 0.3; // angular width of triangles, in radians
+  static constexpr double width = truncation_tuning.spherical_width;
 
   double distance_from_rim(const Vector_3& p) const
   {
@@ -145,7 +146,7 @@ private:
     for(std::size_t n = 0; n < rim.size(); ++n)
       triangulation.insert_constraint(corners[n], corners[(n + 1) % rim.size()]);
     for(const Vector_3& s : samples) {
-      if(distance_from_rim(s) < 0.7 * width) continue;
+      if(distance_from_rim(s) < truncation_tuning.least_rim_distance * width) continue;
       const Point_2 p = seen_from(pole, { s })[0];
       if(!rim.has_on_bounded_side(p)) continue;
       triangulation.insert(p)->info() = m_rim.size() + disc.inner.size();

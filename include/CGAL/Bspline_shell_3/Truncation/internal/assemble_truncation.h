@@ -102,7 +102,7 @@ inline Shell_truncation_3 assemble_truncation(const Truncation_mesh& mesh, const
     // The rim begins on an edge, so that the chain of a facet is not interrupted.
     for(std::size_t i = 0; i < disc.rim.size(); ++i) {
       const Truncation::Triangle& t = cut_facets[disc.facets[i]];
-      auto& chain = chains[disc.facets[i]][std::find(t.begin(), t.end(), disc.center) - t.begin()];
+      auto& chain = chains[disc.facets[i]][Truncation::corner(t, disc.center)];
       if(chain.empty() || chain.back() != disc.rim[i]) chain.push_back(disc.rim[i]);
       chain.push_back(disc.rim[(i + 1) % disc.rim.size()]);
     }
@@ -140,14 +140,8 @@ inline Shell_truncation_3 assemble_truncation(const Truncation_mesh& mesh, const
     std::vector<Tip::Point_3> flat;
     for(Index p : polygon) {
       std::array<double, 3> b = {};
-      const auto number = [&](Index q) { return std::size_t(std::find(t.begin(), t.end(), q) - t.begin()); };
-      if(p < corners) b[number(p)] = 1;
-      else {
-        const Truncation::Cut& c = cuts[p - corners];
-        b[number(c.center)] = 1 - c.s - c.t;
-        b[number(c.first)] = c.s;
-        if(c.second != Truncation::npos) b[number(c.second)] = c.t;
-      }
+      if(p < corners) b[Truncation::corner(t, p)] = 1;
+      else b = cuts[p - corners].barycentric<double>(t);
       flat.emplace_back(b[1] * plane[1][0] + b[2] * plane[2][0], b[2] * plane[2][1], 0);
     }
     for(const auto& triangle : triangulate_polygon(flat))
