@@ -25,9 +25,9 @@ TEST_CASE("A truncation that is made by hand is proved")
   CHECK_FALSE(Truncation().is_valid());
   const Truncation t = square_pyramid(true).assembled();
   CHECK(t.number_of_corners() == 5);
-  CHECK(t.number_of_new_facets() == 12);
-  CHECK(t.disc_of_new_facet(7) == Truncation::npos);
-  CHECK(t.disc_of_new_facet(8) == 0);
+  REQUIRE(t.new_facets().size() == 12);
+  CHECK(t.new_facets()[7].disc == Truncation::npos);
+  CHECK(t.new_facets()[8].disc == 0);
 }
 
 TEST_CASE("Each error in a truncation is found")

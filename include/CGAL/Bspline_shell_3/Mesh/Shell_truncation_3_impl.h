@@ -15,6 +15,12 @@
 namespace CGAL {
 namespace Bspline_shells {
 
+namespace internal {
+
+inline bool prove_truncation(const Shell_truncation_3& truncation); // if prove_truncation.h includes this file
+
+} // namespace internal
+
 CGAL_BSPLINE_SHELL_3_INLINE
 Shell_truncation_3::Shell_truncation_3(std::vector<Point> points, std::vector<Triangle> cut_facets,
                                        std::vector<Cut> cuts, std::vector<Core> cores, std::vector<Disc> discs,
