@@ -6,7 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_REMESH_H
 #define CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_REMESH_H
 
-#include <CGAL/Bspline_shell_3/Editing/Edit_end.h>
+#include <CGAL/Bspline_shell_3/Editing/Edit_termination.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Remeshing_tuning.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/collapse_short_edges.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/flip_edges.h>
@@ -26,7 +26,7 @@ namespace internal {
 // \param project moves a point to the surface
 // \return the reason why edges may differ from the target length
 template <typename ConcurrencyTag, typename Guarded, typename Projection, typename Visitor>
-Edit_end remesh(Guarded& guarded, unsigned int iterations, unsigned int relaxations, const Projection& project,
+Edit_termination remesh(Guarded& guarded, unsigned int iterations, unsigned int relaxations, const Projection& project,
                 Visitor& visitor)
 {
   bool has_rejected = false; // whether the oracle rejected a split or a collapse in the last iteration
@@ -47,9 +47,9 @@ Edit_end remesh(Guarded& guarded, unsigned int iterations, unsigned int relaxati
     const double length = guarded.relative_length(halfedge(e, mesh));
     return guarded.frozen.has_edge(e) || (length >= remeshing_tuning.shortest && length <= remeshing_tuning.longest);
   };
-  if(std::all_of(edges(mesh).begin(), edges(mesh).end(), is_about_right)) return Edit_end::TARGET;
-  if(guarded.has_ended()) return Edit_end::VISITOR;
-  return has_rejected ? Edit_end::SHELL : Edit_end::ITERATIONS;
+  if(std::all_of(edges(mesh).begin(), edges(mesh).end(), is_about_right)) return Edit_termination::TARGET;
+  if(guarded.has_ended()) return Edit_termination::VISITOR;
+  return has_rejected ? Edit_termination::SHELL : Edit_termination::ITERATIONS;
 }
 
 } // namespace internal
