@@ -8,7 +8,7 @@
 #include <string>
 
 namespace test_checksum {
-TEST_CASE("checksum: it is CRC-64/XZ, of a text at once or of what goes to a stream")
+TEST_CASE("Checksum: the checksum is the CRC-64/XZ of a text or of the output to a stream")
 {
   BS::Checksum checksum;
   CHECK(checksum.value() == 0);
