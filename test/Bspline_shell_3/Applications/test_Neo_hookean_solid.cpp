@@ -276,7 +276,7 @@ TEST_CASE("Neo-Hookean solid: large motions take several load steps, and no tetr
   }
 }
 
-TEST_CASE("Neo-Hookean solid: a solid whose nodes are all constrained follows the prescribed motion")
+TEST_CASE("Neo-Hookean solid: a solid whose nodes are all constrained is deformed as prescribed")
 {
   const Tetrahedra mesh = box(1, 1, 1, 0);
   for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC }) {

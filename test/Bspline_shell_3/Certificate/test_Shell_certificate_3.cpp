@@ -862,7 +862,7 @@ TEST_CASE("Certificate: paths that prove the degree start and end outside the sh
   CHECK(paths > 20);
 }
 
-TEST_CASE("Certificate: paths cross their own facets, even if facets are so narrow that rounding displaces paths")
+TEST_CASE("Certificate: paths cross the mesh once, even if facets are so narrow that rounding displaces the paths")
 {
   constexpr double spacing = 0x1p-20, unit = 0x1p-32; // width of a cell; one unit in the last place of coordinates
   const BS::Lattice_3 lattice = BS::Lattice_3::from_origin({ 0x1p20, 0x1p20, 0x1p20 }, spacing, { -1, -1, -1 },

@@ -280,7 +280,7 @@ TEST_CASE("Certified shells: a limit ends refinement with the shell reached so f
         == BS::Shell_status::MEMORY_LIMIT_EXCEEDED);
 }
 
-TEST_CASE("Certified shells: a sharp fin is certified, though not all facets can be as steep as requested")
+TEST_CASE("Certified shells: a sharp fin is certified within two rounds")
 {
   // At the tip of a wing, facets at an angle of 16 degrees are a few hundredths of a cell apart.
   const Mesh mesh = demo_mesh("mech-holes-shark.off");
