@@ -335,7 +335,8 @@ TEST_CASE("Certificate: if critical points are possible, the crossing count of o
   CHECK(said == 1);
 }
 
-TEST_CASE("Certificate: a critical point is refuted in the shell, undecided on its boundary, and harmless beyond it")
+TEST_CASE("Certificate: a critical point refutes the claim in the shell, prevents a proof on its boundary, and is "
+          "harmless beyond")
 {
   // |x - c|^2, exactly; c is not a corner of any box
   const Point_3 c(0.31, -0.13, 0.17);
