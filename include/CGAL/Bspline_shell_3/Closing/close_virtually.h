@@ -25,7 +25,7 @@ namespace Bspline_shells {
  * its border. The distance is smaller where other parts of the mesh are close behind, and is halved where the closed
  * mesh would intersect itself.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \param mesh an open mesh of triangles
  * \param offset approximate upper bound on the distance of back sheets from the mesh, in user units
  * \param[out] report how holes were closed

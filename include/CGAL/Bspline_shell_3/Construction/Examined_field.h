@@ -34,7 +34,7 @@ namespace Bspline_shells {
  *
  * An entry remains valid for the next field if the field is unchanged in the cell (`is_same_in_cell()`).
  *
- * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
+ * \tparam ConcurrencyTag as for `bspline_shell_3()`; all give the same result
  */
 template <typename ConcurrencyTag>
 class Examined_field

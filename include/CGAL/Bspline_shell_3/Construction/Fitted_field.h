@@ -42,7 +42,7 @@ namespace Bspline_shells {
  * A fit computes all coefficients, or only those that act on the cells split since the last round. Samples of the
  * signed distance are reused in cells that stay.
  *
- * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
+ * \tparam ConcurrencyTag as for `bspline_shell_3()`; all give the same result
  */
 template <typename ConcurrencyTag>
 class Fitted_field

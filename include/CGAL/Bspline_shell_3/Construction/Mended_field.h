@@ -37,7 +37,7 @@ namespace Bspline_shells {
  * \brief corrects the field of a round locally where slopes of facets are too small, or |f| is too large on the mesh
  * (`Slope_enforcement`).
  *
- * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
+ * \tparam ConcurrencyTag as for `bspline_shell_3()`; all give the same result
  */
 template <typename ConcurrencyTag>
 class Mended_field

@@ -98,7 +98,7 @@ public:
   }
 
   /// chooses thresholds for the current field
-  /// \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
+  /// \tparam ConcurrencyTag as for `bspline_shell_3()`; all give the same result
   /// \tparam Ranges a function of `Mesh_ranges::Precision`
   /// \param ranges returns enclosures of the field on the part of the mesh in each cell
   /// \return the places where the mesh requires wider thresholds than obstacles allow; if there are none, the places

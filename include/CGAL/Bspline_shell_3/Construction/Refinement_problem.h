@@ -42,7 +42,7 @@ public:
   /// called at the beginning of each step; throws to cancel
   typedef std::function<void(Shell_step)> Start;
 
-  /// \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
+  /// \tparam ConcurrencyTag as for `bspline_shell_3()`; all give the same result
   template <typename ConcurrencyTag>
   Refinement_problem(ConcurrencyTag, std::shared_ptr<const Input_mesh_3> mesh, const Any_signed_distance_3& distance,
                      const Thickness& thickness, const Any_spd_solver& solver, const Start& start,

@@ -54,7 +54,7 @@ inline std::vector<std::uint32_t> cells_of(const std::vector<Threshold_obstacle>
  * are therefore examined. If none of them qualifies, the obstacle's cell itself is returned. In the middle of a thin
  * wall the field is near zero; the cells that keep the threshold away are at the rim, some cells away.
  *
- * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
+ * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; all give the same result
  * \tparam Field `Hierarchical_bspline_field_3`
  * \param field the field whose cells are examined
  * \param ranges enclosures of the field on the part of the mesh in each cell

@@ -38,7 +38,7 @@ struct Bend_shares
  *
  * \brief returns the fractions of the surface cells in which a mesh is far from flat.
  *
- * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
+ * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; all give the same result
  * \param mesh the mesh
  * \param lattice the lattice of the cells
  * \cgalHeading{Cost} Linear in the number of pieces into which the cells cut the mesh.
@@ -80,7 +80,7 @@ Bend_shares bend_shares(const Input_mesh_3& mesh, const Lattice_3& lattice)
  * bends are handled by local corrections (`Certified_refinement`). Otherwise, cells would have to be halved together
  * with their neighbors, and slightly more cells of equal size are cheaper.
  *
- * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
+ * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; all give the same result
  * \param mesh the mesh
  * \param thickness thickness of the shell, user units
  */

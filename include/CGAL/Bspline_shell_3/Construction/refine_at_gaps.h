@@ -45,7 +45,7 @@ inline Bbox_3 inner_box(const Cell_hierarchy_3& cells, Cell_hierarchy_3::Index c
  * No field on cells wider than a gap increases through both of its sides. Refining level by level would therefore fail
  * at every intermediate level. If the gap is only slightly narrower than a cell, intermediate levels often suffice.
  *
- * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
+ * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; all give the same result
  * \tparam Limit a predicate on numbers of cells
  * \param cells the cells to refine
  * \param marked leaves to split

@@ -63,7 +63,7 @@ namespace Bspline_shells {
  * A round is *partial* if few cells were split: it fits only the coefficients that act on them, and examines only the
  * cells where the field changes (`Examined_field`). A partial round without progress is followed by a full one.
  *
- * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
+ * \tparam ConcurrencyTag as for `bspline_shell_3()`; all give the same result
  */
 template <typename ConcurrencyTag>
 class Certified_refinement

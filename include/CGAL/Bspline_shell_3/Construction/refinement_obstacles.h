@@ -31,7 +31,7 @@ namespace Bspline_shells {
  * \brief returns the obstacles at places where a proof failed, with the local gap of the mesh there; narrowest first,
  * at most 1000.
  *
- * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
+ * \tparam ConcurrencyTag as for `bspline_shell_3()`; all give the same result
  * \param cells the cells of the field
  * \param clipped the mesh, clipped to these cells
  * \param gap the local gap of the mesh

@@ -34,7 +34,7 @@ namespace Bspline_shells {
  * \brief returns the slope that a field should have along the normal of each triangle: a fraction of the slope that is
  * possible at all three vertices (`vertex_cone_margin()`), and zero if a vertex is singular.
  *
- * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
+ * \tparam ConcurrencyTag as for `bspline_shell_3()`; all give the same result
  * \param input the mesh
  * \param fraction fraction of the possible slope
  */

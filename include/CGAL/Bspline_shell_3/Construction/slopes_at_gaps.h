@@ -29,7 +29,7 @@ namespace Bspline_shells {
  * both sides of a wall of width \f$g < h\f$, it resembles \f$(x^2 - g^2/4) / h\f$ across the wall. The slope on both
  * sides is \f$g/h\f$. A quarter of this slope leaves room for variation along the wall.
  *
- * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
+ * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; all give the same result
  * \param cells the cells
  * \param asked cells for which slopes are returned
  * \param gap the local gap of the mesh

@@ -33,7 +33,7 @@ namespace Bspline_shells {
  *
  * \cgalModels `SPDSolver`
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`
  * \cgalHeading{Memory} About as much as the matrix.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag>

@@ -208,7 +208,7 @@ public:
   }
 
   /// returns the images of many points.
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
   /// \tparam PointRange a random access range of points
   /// \tparam Visitor a model of `FlowVisitor`
   /// \return the images in the same order; images that were not computed because the visitor stopped are `CANCELED`

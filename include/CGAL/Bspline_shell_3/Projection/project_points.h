@@ -25,7 +25,7 @@ namespace Bspline_shells {
  * If the same mesh is used in several calls, keep a `Shell_projection_3` or a `Shell_map_3`: they store the tree of
  * boxes that this function builds.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam Shell a `CGAL::Bspline_shell_3`
  * \tparam PointRange a random access range of points
  * \tparam TriangleMesh a model of `FaceListGraph`

@@ -145,7 +145,7 @@ private:
  * target to each of its corners, the source is followed from facet to facet. If this path meets a seam, the value at
  * the corner is extrapolated from there. The facet is thus mapped to one side of the seam, and not across the texture.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam Map a `Shell_map_3`
  * \tparam SourceCornerMap a model of `ReadablePropertyMap` from halfedges of the source, whose values can be compared
  *   for equality. It may be read by several threads at once.

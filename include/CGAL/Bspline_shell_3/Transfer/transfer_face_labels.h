@@ -35,7 +35,7 @@ namespace Bspline_shells {
  * A facet is sampled at the centroids of the equal triangles into which it is cut. It gets the most frequent label;
  * among equals, that of the facet's centroid, or else the first one.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam Map a `Shell_map_3`
  * \tparam SourceLabelMap a model of `ReadablePropertyMap` from faces of the source to labels that can be compared for
  *   equality

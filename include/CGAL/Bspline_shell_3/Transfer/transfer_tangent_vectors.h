@@ -137,7 +137,7 @@ std::vector<Eigen::Vector3d> eigen_vectors(VectorMap vectors, const Range& range
  * vectors that a facet covers. To a *finer* mesh, `linear_reconstruction` computes a linear field from the vectors of a
  * facet and its neighbors. Otherwise, all facets that come from the same facet have one vector.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam Map a `Shell_map_3`
  * \tparam SourceVectorMap a model of `ReadablePropertyMap` from faces of the source to vectors with `v[0]`, `v[1]`,
  *   `v[2]`
@@ -254,7 +254,7 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
  * for a symmetric field, as N-th powers. Images are tangent to the level set of the shell's field through the target's
  * vertex, so that they do not depend on the target's facets.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam Map a `Shell_map_3`
  * \tparam SourceVectorMap a model of `ReadablePropertyMap` from vertices of the source to vectors with `v[0]`, `v[1]`,
  *   `v[2]`

@@ -40,7 +40,7 @@ namespace Bspline_shells {
  * not preserve integrals. If the source has far more vertices than the target, `average_vertex_attribute()` loses less.
  * The property maps are read and written by the calling thread.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam Map a `Shell_map_3`
  * \tparam SourceValueMap a model of `ReadablePropertyMap` from vertices of the source
  * \tparam TargetValueMap a model of `WritablePropertyMap` from vertices of the target, whose facets need not be
