@@ -41,12 +41,12 @@ struct Parameter_bounds
 /*!
  * \ingroup PkgBsplineShell3Support
  *
- * \brief The parameter to which a status `INVALID_PARAMETER` refers: its name, its value and its bounds.
+ * \brief the parameter to which a status `INVALID_PARAMETER` refers: its name, its value, and its bounds.
  */
 struct Invalid_parameter
 {
-  const char* name = nullptr; ///< name of the parameter or the argument; null if none is invalid
-  double value = 0;           ///< given value; if the parameter is a function, a value that it returned
+  const char* name = nullptr; ///< name of the parameter or argument; null if none is invalid
+  double value = 0;           ///< the given value; if the parameter is a function, a value that it returned
   Parameter_bounds bounds;    ///< bounds of the allowed values
 
   /// Returns `true` if a parameter is invalid.
@@ -60,7 +60,7 @@ struct Invalid_parameter
 };
 
 /// \ingroup PkgBsplineShell3Support
-/// Returns a sentence with the name, the value and the bounds; an empty string if no parameter is invalid.
+/// returns a sentence with the name, the value, and the bounds; an empty string if no parameter is invalid
 inline std::string message(const Invalid_parameter& parameter)
 {
   if(!parameter) return "";
