@@ -70,9 +70,12 @@ enum class Claim
 {
   CONTAINMENT,    ///< P1: \f$\epsilon_1 < f < \epsilon_2\f$ on every point of every facet
   TRANSVERSALITY, ///< P2: \f$n_T \cdot \nabla f > 0\f$ on every facet \f$T\f$ with normal \f$n_T\f$, edges included
-  GRADIENT,       ///< P3: the shell lies in the interior of the domain and has no critical point
-  ONE_SHEET,      ///< P4: every component of the shell contains exactly one component of the mesh
-  DEGREE_ONE      ///< P5: a path through each component, from below to above, crosses the mesh once
+  /// P3: the shell lies in the interior of the domain and has no critical point, and \f$\nabla f \cdot \nabla (f -
+  /// \epsilon_i) > 0\f$ on its thresholds \f$\epsilon_i\f$
+  GRADIENT,
+  ONE_SHEET, ///< P4: every component of the shell contains exactly one component of the mesh
+  /// P5: a path through each component, from the inner to the outer surface, crosses the mesh once, counted with signs
+  DEGREE_ONE
 };
 
 inline const char* name(Claim claim)
@@ -188,7 +191,7 @@ struct Certificate_statistics
   std::size_t cover_boxes = 0; ///< boxes of the cover
   std::size_t excluded_boxes = 0, monotone_boxes = 0, undecided_boxes = 0;
   std::size_t critical_boxes = 0; ///< boxes whose critical points are proved to lie beyond a threshold
-  std::size_t deepest_box = 0;    ///< largest number of bisections from a cell to a box
+  std::size_t deepest_box = 0;    ///< largest number of subdivisions of a cell
   double seconds = 0;
 };
 

@@ -38,7 +38,7 @@ struct Cover_box
 
   std::uint32_t cell;        ///< leaf cell of the field
   std::uint16_t position[3]; ///< position of the smallest corner, in units of the cell's width / 2^depth
-  std::uint8_t depth;        ///< number of bisections
+  std::uint8_t depth;        ///< number of subdivisions of the cell
   Box_kind kind;
   std::uint32_t component = no_component; ///< component of the cover; `no_component` if the box is in none
   /// data that proves the kind: for a monotone box, the direction, whose largest component has the absolute value 1;

@@ -53,7 +53,7 @@ struct Shell_report
   std::vector<Refinement_round> rounds;                          ///< rounds of refinement
   /// obstacles to the proof if refinement ended without a certificate: at most 1000, narrowest first
   std::vector<Refinement_obstacle> obstacles;
-  Certificate_report certificate;     ///< certificate of the mesh, if the shell was refined
+  Certificate_report certificate;     ///< results of the certificate, of the construction or of `certify()`
   double thickness = 0;               ///< largest difference of the thresholds on the mesh
   double narrowed_area = 0;           ///< fraction of the mesh's area where the thickness is less than requested
   std::array<double, 6> seconds = {}; ///< time of each `Shell_step`

@@ -26,8 +26,7 @@ struct Truncation_report
   {
     TRUNCATED,
     ON_BORDER,   ///< not truncated: the vertex is on the border of an open mesh
-    FOLDED_EDGE, ///< not truncated: two facets at an edge have nearly opposite normals, so no disc improves the cone
-                 ///< margin
+    FOLDED_EDGE, ///< not truncated: two facets at an edge have nearly opposite normals, so no disc helps
     NO_DISC,     ///< not truncated: no disc was found that improves the cone margin
     NO_SPACE     ///< not truncated: other parts of the mesh are so close, or edges so short, that rounding would decide
   };
@@ -35,7 +34,7 @@ struct Truncation_report
   struct Vertex
   {
     std::size_t vertex = 0;           ///< position in `vertices(mesh)`
-    std::array<double, 3> point = {}; ///< user units
+    std::array<double, 3> point = {}; ///< position of the vertex
     Outcome outcome = Outcome::TRUNCATED;
     double radius = 0;         ///< radius of the ball around the vertex outside which nothing was changed
     double margin_before = 0;  ///< `vertex_cone_margin()`

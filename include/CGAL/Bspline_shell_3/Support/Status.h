@@ -39,8 +39,7 @@ enum class Shell_status
   NON_MANIFOLD,             ///< an edge has more than two facets, or the facets at a vertex do not form one fan
   NOT_ORIENTABLE,           ///< the facets cannot be oriented consistently
   OPEN_MESH,                ///< an edge has only one facet
-  NOT_CLOSABLE,             ///< the mesh is open, and the triangles that would close it intersect the mesh or each
-                            ///< other, wind twice around a vertex, use an interior edge of the mesh, or have no area
+  NOT_CLOSABLE,             ///< the mesh is open, and neither caps of its holes nor a sheet behind it can close it
   DEGENERATE_FACET,         ///< a facet has no area, or cannot be triangulated without such a facet
   SELF_INTERSECTION,        ///< two facets meet outside of common vertices and edges
   INCONSISTENT_ORIENTATION, ///< the components of the mesh do not bound one volume, or the mesh bounds none
@@ -52,7 +51,7 @@ enum class Shell_status
   SOLVER_FAILED,            ///< the linear solver failed, or did not reach its tolerance
   SHELL_LEAVES_BAND,        ///< the inner or the outer surface of the shell reaches the boundary of the cells
   MESH_NOT_CONTAINED,       ///< it could not be proved that the shell contains the mesh
-  UNSOUND_ARITHMETIC, ///< bounds of rounding errors do not hold in this build or on this machine (`Arithmetic_status`)
+  UNSOUND_ARITHMETIC,       ///< rounding errors are not bounded in this build, or on this machine (`Arithmetic_status`)
   THRESHOLDS_ON_OTHER_CELLS, ///< a threshold is not a tricubic function on the cells of the field
   CANCELED,                  ///< the visitor canceled the computation
   NOT_TRUNCATABLE,           ///< the shell's discs do not fit the mesh: with them, it is open or has a degenerate facet
