@@ -61,9 +61,9 @@ public:
 /*!
  * \ingroup PkgBsplineShell3Cells
  *
- * \brief A sparse set of integer points, numbered 0, 1, ... in the order of \f$(k, j, i)\f$.
+ * \brief a sparse set of integer points, numbered from 0 in the order of \f$(k, j, i)\f$.
  *
- * The points of a row along \f$x\f$ have consecutive numbers, so that neighbors on the lattice are neighbors in memory.
+ * The points of a row along \f$x\f$ have consecutive indices, so that neighbors on the lattice are neighbors in memory.
  *
  * \cgalHeading{Cost} Memory is linear in the number of points. A look-up searches the runs of consecutive rows in a
  *   slice, and the runs of consecutive points in a row: usually one to four runs.
@@ -119,7 +119,7 @@ public:
   }
   Index index(const Lattice_point& p) const { return index(p[0], p[1], p[2]); }
 
-  /// Returns the numbers `[first, second)` of the points \f$(i, j, k)\f$ with `i_begin` \f$\le i <\f$ `i_end`.
+  /// returns the indices `[first, second)` of the points \f$(i, j, k)\f$ with `i_begin` \f$\le i <\f$ `i_end`
   std::pair<Index, Index> index_range(int i_begin, int i_end, int j, int k) const
   {
     std::pair<Index, Index> range(npos, npos);
@@ -135,7 +135,7 @@ public:
     return range;
   }
 
-  /// Returns the lattice points in a box that is grown by `margin` spacings, clipped to the extent of the set. The
+  /// returns the lattice points in a box that is enlarged by `margin` spacings, clipped to the extent of the set. The
   /// lattice has the given origin and spacing.
   Lattice_box clip(const Bbox_3& box, const std::array<double, 3>& origin, double spacing, int margin) const
   {
@@ -154,7 +154,7 @@ private:
   {
     int begin, end;
     Index first;
-  }; // consecutive coordinates, and the number of the first
+  }; // consecutive coordinates, and the index of the first
 
   static Index find(const std::vector<Run>& runs, Index begin, Index end, int coordinate)
   {

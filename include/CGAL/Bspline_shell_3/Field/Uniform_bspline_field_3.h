@@ -28,11 +28,12 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Field
  *
- * \brief A piecewise tricubic \f$C^2\f$ function on a set of equal cells: \f$f(v) = \sum_g \lambda_g B_g(v)\f$ (Eq. 3.3
- * of the paper). The sum is over all lattice points \f$g\f$ whose function does not vanish on all cells.
+ * \brief a piecewise tricubic \f$C^2\f$ function on a set of equal cells: \f$f(v) = \sum_g \lambda_g B_g(v)\f$ (Eq. 3.3
+ * of \cgalCite{CubicBsplineShell2025}). The sum is over all lattice points \f$g\f$ whose function does not vanish on
+ * all cells.
  *
- * The field is defined by its coefficients \f$\lambda_g\f$, which are `double`s. Bernstein coefficients of the cells
- * are stored with them. Const member functions may be called from several threads at once.
+ * The field is defined by its coefficients \f$\lambda_g\f$, which are `double`s. The Bernstein coefficients of the
+ * cells are stored as well. Const member functions may be called concurrently.
  *
  * \cgalModels `FittableBsplineField_3`
  *
@@ -112,8 +113,8 @@ public:
   Eigen::VectorXd collect(Eigen::VectorXd all) const { return all; }
   /// @}
 
-  /// Returns, for each of the sixteen rows of coefficients that act on the cell, the number of the first of its four
-  /// consecutive coefficients.
+  /// returns, for each of the sixteen rows of coefficients that act on the cell, the index of the first of its four
+  /// consecutive coefficients
   std::array<Cell_index, 16> coefficient_rows(Cell_index c) const
   {
     const Lattice_3::Point& p = m_cells.lattice_point(c);
@@ -133,7 +134,7 @@ public:
     return local;
   }
 
-  /// Returns the 64 Bernstein coefficients of a cell, from the B-spline coefficients; exact if the number type is.
+  /// returns the 64 Bernstein coefficients of a cell, from the B-spline coefficients; exact if the number type is exact
   template <typename NT>
   std::array<NT, 64> bernstein_coefficients(Cell_index c) const
   {
@@ -144,7 +145,7 @@ public:
     return b;
   }
 
-  /// Replaces all coefficients, in user units.
+  /// replaces all coefficients
   /// \pre `x.size() == number_of_coefficients()`
   template <typename ConcurrencyTag = Sequential_tag>
   void set_coefficients(Eigen::VectorXd x)

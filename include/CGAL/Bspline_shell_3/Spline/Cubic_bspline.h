@@ -14,11 +14,12 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief The univariate uniform cubic B-spline \f$b\f$ of Eq. 3.1 of the paper, on knots of spacing 1.
+ * \brief the univariate uniform cubic B-spline \f$b\f$ on knots of spacing 1 (Eq. 3.1 of
+ * \cgalCite{CubicBsplineShell2025}).
  *
  * A cell is the unit interval between two knots. The four functions that do not vanish on the cell \f$[i, i+1]\f$ are
- * centered at the knots \f$i-1, i, i+1, i+2\f$. All arrays of this class list them in that order. The position `t` in
- * the cell is from 0 to 1. Outside \f$[0,1]\f$, the polynomial pieces of the cell are continued.
+ * centered at the knots \f$i-1, i, i+1, i+2\f$; all arrays of this class list them in this order. The position `t` in
+ * the cell is between 0 and 1. Outside \f$[0,1]\f$, the polynomial pieces of the cell are continued.
  *
  * \tparam NT a field number type (`double`, `Interval_nt<false>`, a rational)
  */

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Spline
-/// An interval of field values, in user units.
+/// an interval of field values
 struct Level_range
 {
   double min = std::numeric_limits<double>::infinity();

@@ -20,14 +20,14 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief A leaf cell of a field: a closed axis-parallel cube with the tricubic polynomial of the field on it.
+ * \brief a leaf cell of a field: a closed axis-parallel cube with the tricubic polynomial of the field on it.
  *
- * The polynomial has 64 Bernstein coefficients \f$c_{i+4j+16k}\f$ (index `i` along x), in user units of the field's
- * value. They are rounded from the coefficients of the spline: each is within `error_radius()` of the exact one. A
- * bound on the spline must add that radius.
+ * The polynomial has 64 Bernstein coefficients \f$c_{i+4j+16k}\f$ (index `i` along x). They are rounded from the
+ * coefficients of the spline: each is within `error_radius()` of the exact coefficient. A bound on the spline must add
+ * this radius.
  *
- * A cell is a view: it is valid as long as its field is neither changed nor destroyed. Bounds, certificates, tracing
- * and level sets access a field only by its cells.
+ * A cell is a view, which is valid as long as its field is neither changed nor destroyed. Bounds, certificates,
+ * tracing, and level sets access a field only by its cells.
  */
 class Tricubic_cell_3
 {
@@ -42,9 +42,9 @@ public:
     : m_corner(corner), m_width(width), m_coefficients(coefficients), m_error_radius(error_radius)
   {}
 
-  /// Returns the corner with the least coordinates, exactly.
+  /// returns the corner with the smallest coordinates, exactly
   const std::array<double, 3>& corner() const { return m_corner; }
-  /// Returns the length of the cell's edges, in user units, exactly.
+  /// returns the length of the cell's edges in the units of the coordinates, exactly
   double width() const { return m_width; }
   /// Returns the closed cell; its corners are exact.
   Bbox_3 bbox() const
@@ -54,8 +54,9 @@ public:
   }
   /// Returns the 64 Bernstein coefficients.
   const double* coefficients() const { return m_coefficients; }
-  /// Bounds the distance of each coefficient from the exact one, and so of the polynomial from the spline on the cell.
-  /// The bound is infinite if the spline has coefficients that are not finite, or close to the largest `double`.
+  /// returns a bound on the error of each coefficient, and hence on the difference of the polynomial and the spline on
+  /// the cell. The bound is infinite if the spline has coefficients that are not finite, or close to the largest
+  /// `double`.
   double error_radius() const { return m_error_radius; }
 
   /// Returns the range of the Bernstein coefficients, which encloses the polynomial on the cell.
@@ -73,7 +74,7 @@ public:
   }
 
   /// \name Evaluation
-  /// `p` has three coordinates `p[0]`, `p[1]`, `p[2]` in user units; derivatives are per user unit.
+  /// `p` has three coordinates `p[0]`, `p[1]`, `p[2]`; derivatives are with respect to these coordinates.
   /// @{
   template <typename Point>
   double value(const Point& p) const
@@ -93,7 +94,7 @@ public:
     for(double& d : jet.gradient) d /= m_width;
     return jet;
   }
-  /// Returns the jet at local coordinates, with derivatives by local coordinates.
+  /// returns the jet at local coordinates, with derivatives with respect to local coordinates
   First_order_jet local_first_order_jet(const std::array<double, 3>& t) const
   {
     Basis_jet<2> b;
