@@ -129,7 +129,7 @@ public:
   double spacing() const { return m_spacing; } ///< edge length of a cell
   const std::array<double, 3>& origin() const { return m_origin; }
 
-  /// Returns the exact coordinate of lattice plane `i` across axis `a`.
+  /// returns the exact coordinate of lattice plane `i` across axis `a`
   double coordinate(int a, int i) const { return m_origin[a] + i * m_spacing; }
 
   std::array<double, 3> corner(const Point& p) const
@@ -184,7 +184,7 @@ public:
 
   Cell_complex_3() = default;
 
-  /// Constructs the cells of `lattice` with the given lattice points; `keys` are sorted and unique.
+  /// constructs the cells of `lattice` with the given lattice points; `keys` are sorted and unique
   Cell_complex_3(const Lattice_3& lattice, const std::vector<std::uint64_t>& keys) : m_lattice(lattice), m_cells(keys)
   {
     for(Index c = 0; c < m_cells.size(); ++c)

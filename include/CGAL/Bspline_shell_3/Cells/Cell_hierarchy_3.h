@@ -126,13 +126,13 @@ public:
   const Lattice_3::Point& lattice_point(Index c) const { return m_leaves[c].point; }
   double width(Index c) const { return level_width(level(c)); }
   double level_width(int level) const { return m_level_width[std::size_t(level)]; }
-  /// Returns the exact coordinate of plane `i` across an axis between cells of a level.
+  /// returns the exact coordinate of plane `i` across an axis between cells of a level
   double coordinate(int level, int axis, int i) const
   {
     return m_roots.lattice().origin()[axis] + i * level_width(level);
   }
   std::array<double, 3> corner(Index c) const { return corner(level(c), lattice_point(c)); }
-  /// Returns the first leaf of a level; leaves of a level are numbered consecutively.
+  /// returns the first leaf of a level; leaves of a level are numbered consecutively
   Index first_leaf(int level) const { return m_levels[std::size_t(level)].first_leaf; }
 
   /// returns all cells of a level, leaves and split cells
@@ -168,7 +168,7 @@ public:
     return m_roots.cell(p) != npos;
   }
 
-  /// Returns a leaf that contains the point; `npos` if there is none.
+  /// returns a leaf that contains the point; `npos` if there is none
   template <typename Point>
   Index locate(const Point& p) const
   {
@@ -185,7 +185,7 @@ public:
     }
   }
 
-  /// Calls `visit(c)` once for every leaf that meets the closed box; returns whether the closed leaves cover the box.
+  /// calls `visit(c)` once for every leaf that meets the closed box; returns whether the closed leaves cover the box
   template <typename Visitor>
   bool visit_cells(const Bbox_3& box, const Visitor& visit) const
   {
@@ -193,7 +193,7 @@ public:
                                [&](Index root) { visit_leaves(0, root, m_roots.lattice_point(root), box, visit); });
   }
 
-  /// Calls `visit(n)` for every leaf that shares a part of the given face of `c`; returns whether there is any.
+  /// calls `visit(n)` for every leaf that shares a part of the given face of `c`; returns whether there is any
   template <typename Visitor>
   bool visit_neighbors(Index c, int axis, bool positive, const Visitor& visit) const
   {

@@ -24,18 +24,18 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Cells
-/// An integer point \f$(i, j, k)\f$, with \f$i\f$ along \f$x\f$.
+/// an integer point \f$(i, j, k)\f$, with \f$i\f$ along \f$x\f$
 typedef std::array<int, 3> Lattice_point;
 
 /// \ingroup PkgBsplineShell3Cells
-/// The lattice points from `first` to `last`, both included; none if a coordinate of `first` is larger.
+/// the lattice points from `first` to `last`, both included; none if a coordinate of `first` is larger
 struct Lattice_box
 {
   Lattice_point first, last;
 };
 
 /// \ingroup PkgBsplineShell3Cells
-/// A lattice point as a 64-bit key with 21 bits for each axis. Keys are sorted by \f$(k, j, i)\f$.
+/// a lattice point as a 64-bit key with 21 bits for each axis. Keys are sorted by \f$(k, j, i)\f$.
 class Lattice_key
 {
 public:
@@ -181,7 +181,7 @@ private:
 };
 
 /// \ingroup PkgBsplineShell3Cells
-/// Returns the sum of a set and the cube `[first, last]`\f$^3\f$.
+/// returns the sum of a set and the cube `[first, last]`\f$^3\f$.
 /// \param keys sorted and unique, like the returned keys
 inline std::vector<std::uint64_t> dilate(std::vector<std::uint64_t> keys, int first, int last)
 {

@@ -156,12 +156,12 @@ public:
   /// \param memory a cache of earlier verdicts
   Placement_verdict operator()(const Point_3& p, const std::vector<Point_3>& link, Memory& memory) const;
 
-  /// judges a single facet, with more effort: if the bounds do not decide, `Field_predicates_3` does.
+  /// judges a single facet, with more effort: if the bounds do not decide, `Field_predicates_3` does
   Placement_verdict operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
   {
     return (*this)(p, q, r, { sample(p), sample(q), sample(r) });
   }
-  /// judges a single facet, given the samples of its corners by `sample()`.
+  /// judges a single facet, given the samples of its corners by `sample()`
   Placement_verdict operator()(const Point_3& p, const Point_3& q, const Point_3& r,
                                const std::array<Sample, 3>& corners) const;
 

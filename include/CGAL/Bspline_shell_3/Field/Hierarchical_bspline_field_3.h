@@ -94,13 +94,13 @@ public:
   }
   /// returns a leaf that contains `p`, or `npos` outside the domain
   Cell_index locate(const Point_3& p) const { return cells().locate(p); }
-  /// Calls `visit(n)` for all leaves that share a part of the given face of `c`; returns whether there are any.
+  /// calls `visit(n)` for all leaves that share a part of the given face of `c`; returns whether there are any
   template <typename Visitor>
   bool visit_neighbors(Cell_index c, int axis, bool positive, const Visitor& visit) const
   {
     return cells().visit_neighbors(c, axis, positive, visit);
   }
-  /// Calls `visit(c)` for all leaves that meet the closed box; returns whether they cover the box.
+  /// calls `visit(c)` for all leaves that meet the closed box; returns whether they cover the box
   template <typename Visitor>
   bool visit_cells(const Bbox_3& box, const Visitor& visit) const
   {
@@ -118,16 +118,16 @@ public:
 
   int number_of_levels() const { return cells().number_of_levels(); }
   std::size_t number_of_points() const { return m_basis->coefficient_of_point.size(); }
-  /// Returns the lattice points of a level that have a coefficient.
+  /// returns the lattice points of a level that have a coefficient
   const Lattice_set_3& points(int level) const { return m_basis->levels[std::size_t(level)].points; }
   /// returns the index of the first lattice point of a level
   Cell_index first_point(int level) const { return m_basis->levels[std::size_t(level)].first_point; }
-  /// Returns the free coefficient at a point, or `npos` if its coefficient is dependent.
+  /// returns the free coefficient at a point, or `npos` if its coefficient is dependent
   Cell_index coefficient_of_point(Cell_index n) const { return m_basis->coefficient_of_point[n]; }
   Cell_index point_of_coefficient(Cell_index n) const { return m_basis->point_of_coefficient[n]; }
 
-  /// Calls `visit(n, weight)` for the free coefficients whose weighted sum is the dependent coefficient at a lattice
-  /// point of a level.
+  /// calls `visit(n, weight)` for the free coefficients whose weighted sum is the dependent coefficient at a lattice
+  /// point of a level
   template <typename Visitor>
   void visit_parents(int level, const Lattice_3::Point& p, const Visitor& visit) const
   {
@@ -136,7 +136,7 @@ public:
     });
   }
 
-  /// Returns the coefficients at all points, from the free coefficients `x`.
+  /// returns the coefficients at all points, from the free coefficients `x`
   template <typename ConcurrencyTag = Sequential_tag>
   Eigen::VectorXd extend(const Eigen::VectorXd& x) const
   {
@@ -155,7 +155,7 @@ public:
     return all;
   }
 
-  /// Applies the transpose of `extend()`.
+  /// applies the transpose of `extend()`
   Eigen::VectorXd collect(const Eigen::VectorXd& all) const
   {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(Eigen::Index(number_of_coefficients()));
@@ -170,8 +170,8 @@ public:
     return x;
   }
 
-  /// Returns, for each of the sixteen rows of coefficients that act on the leaf, the point of the first of its four
-  /// consecutive coefficients.
+  /// returns, for each of the sixteen rows of coefficients that act on the leaf, the point of the first of its four
+  /// consecutive coefficients
   std::array<Cell_index, 16> coefficient_rows(Cell_index c) const
   {
     const int l = cells().level(c);
@@ -183,8 +183,8 @@ public:
     return rows;
   }
 
-  /// Calls `visit(n, coefficient, weight)` for the free coefficients whose weighted sum is the `n`-th of the 64
-  /// coefficients that act on a leaf.
+  /// calls `visit(n, coefficient, weight)` for the free coefficients whose weighted sum is the `n`-th of the 64
+  /// coefficients that act on a leaf
   template <typename Visitor>
   void visit_coefficients(Cell_index c, const Visitor& visit) const
   {
@@ -209,7 +209,7 @@ public:
     return support(l, points(l).point(point - first_point(l)));
   }
 
-  /// Calls `visit(coefficient, support)` for the free coefficients whose supports may meet a box.
+  /// calls `visit(coefficient, support)` for the free coefficients whose supports may meet a box
   template <typename Visitor>
   void visit_coefficients_near(const Bbox_3& box, const Visitor& visit) const
   {

@@ -58,7 +58,7 @@ public:
   /// encloses the threshold on a leaf cell
   Level_range range(std::uint32_t /* cell */) const { return { m_level, m_level }; }
 
-  /// Returns a function minus the threshold, on a leaf cell.
+  /// returns a function minus the threshold, on a leaf cell
   Enclosed_tricubic difference(const Enclosed_tricubic& f, std::uint32_t /* cell */) const
   {
     Enclosed_tricubic constant;
@@ -118,7 +118,7 @@ public:
     const double constant = this->constant(cell);
     return std::isnan(constant) ? field().cell(cell).value(p) : constant;
   }
-  /// Returns the common value of all coefficients on a leaf cell, or NaN if they differ. On most cells, they are equal.
+  /// returns the common value of all coefficients on a leaf cell, or NaN if they differ. On most cells, they are equal.
   double constant(std::uint32_t cell) const { return m_data->constants[cell]; }
 
   /// encloses the threshold on a leaf cell
@@ -160,7 +160,7 @@ private:
 };
 
 /// \ingroup PkgBsplineShell3Field
-/// Encloses the two thresholds on a leaf cell.
+/// encloses the two thresholds on a leaf cell
 template <typename Threshold>
 Level_range threshold_range(const Threshold& inner, const Threshold& outer, std::uint32_t cell)
 {

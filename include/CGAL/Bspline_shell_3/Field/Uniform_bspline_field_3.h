@@ -51,7 +51,7 @@ public:
 
   Uniform_bspline_field_3() = default;
 
-  /// Constructs the zero function on the cells.
+  /// constructs the zero function on the cells
   explicit Uniform_bspline_field_3(Cell_complex_3 cells) : m_cells(std::move(cells))
   {
     std::vector<std::uint64_t> keys;
@@ -72,9 +72,9 @@ public:
   {
     return Cell(m_cells.corner(c), m_cells.width(), &m_bernstein[std::size_t(c) * 64], m_error_radius[c]);
   }
-  /// Returns a cell that contains `p`, or `npos` outside the domain.
+  /// returns a cell that contains `p`, or `npos` outside the domain
   Cell_index locate(const Point_3& p) const { return m_cells.locate(p); }
-  /// Calls `visit(n)` for the cell across a face of `c`; returns whether there is one.
+  /// calls `visit(n)` for the cell across a face of `c`; returns whether there is one
   template <typename Visitor>
   bool visit_neighbors(Cell_index c, int axis, bool positive, const Visitor& visit) const
   {
@@ -82,7 +82,7 @@ public:
     if(n != npos) visit(n);
     return n != npos;
   }
-  /// Calls `visit(c)` for all cells that meet the closed box; returns whether they cover the box.
+  /// calls `visit(c)` for all cells that meet the closed box; returns whether they cover the box
   template <typename Visitor>
   bool visit_cells(const Bbox_3& box, const Visitor& visit) const
   {
@@ -96,7 +96,7 @@ public:
   /// @{
   std::size_t number_of_coefficients() const { return m_functions.size(); }
   const Eigen::VectorXd& coefficients() const { return m_coefficients; }
-  /// Returns the lattice points at which the functions are centered, in the order of the coefficients.
+  /// returns the lattice points at which the functions are centered, in the order of the coefficients
   const Lattice_set_3& functions() const { return m_functions; }
 
   /// \name As a Hierarchy
@@ -124,7 +124,7 @@ public:
     return rows;
   }
 
-  /// Returns the 64 B-spline coefficients that act on a cell.
+  /// returns the 64 B-spline coefficients that act on a cell
   std::array<double, 64> local_coefficients(Cell_index c) const
   {
     const std::array<Cell_index, 16> rows = coefficient_rows(c);

@@ -361,7 +361,7 @@ Shell_file_status read_shell(std::istream& in, Bspline_shell_3<Field, Threshold>
 }
 
 /// \ingroup PkgBsplineShell3IO
-/// reads a shell from a file with any extension.
+/// reads a shell from a file with any extension
 template <typename Field, typename Threshold>
 Shell_file_status read_shell(const std::string& file, Bspline_shell_3<Field, Threshold>& shell)
 {

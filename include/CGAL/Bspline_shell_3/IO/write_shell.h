@@ -233,7 +233,7 @@ Shell_file_status write_shell(const std::string& file, const Bspline_shell_3<Fie
 
 /// \ingroup PkgBsplineShell3IO
 /// writes a shell to a file in the format given by its name: text if the name ends in ".txt" (as in "name.shell.txt"),
-/// otherwise binary ("name.shell").
+/// otherwise binary ("name.shell")
 template <typename Field, typename Threshold>
 Shell_file_status write_shell(const std::string& file, const Bspline_shell_3<Field, Threshold>& shell)
 {

@@ -45,11 +45,11 @@ public:
   explicit Mesh_signed_distance_3(const Input_mesh_3& input);
   explicit Mesh_signed_distance_3(const Input_mesh_3&&) = delete; // the reference would dangle
 
-  /// Returns the signed distance.
+  /// returns the signed distance
   FT operator()(const Point_3& p) const { return sign(p) * distance(p); }
   /// returns -1, 0, or 1; exact
   int sign(const Point_3& p) const;
-  /// Returns the distance without its sign.
+  /// returns the distance without its sign
   FT distance(const Point_3& p) const;
 
   /// returns the signed distance, and stores the closest facet in `hint`. The search starts at `hint`, which is fast if

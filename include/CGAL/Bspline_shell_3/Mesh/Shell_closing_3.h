@@ -77,7 +77,7 @@ public:
   const std::vector<Kind>& kinds() const { return m_kinds; }
   /// returns whether the triangles can close a mesh: coordinates are finite, and triangles have different corners; each
   /// border point has one edge to the next border point, and all other edges have one triangle on each side; the
-  /// triangles at each point form one fan.
+  /// triangles at each point form one fan
   bool is_valid() const { return m_is_valid; }
   /// returns the index of the border point with these coordinates, or `npos`
   Index border_point(const Point& p) const
@@ -112,7 +112,7 @@ public:
     for(auto f = attached.faces.rbegin(); f != attached.faces.rend(); ++f) Euler::remove_face(halfedge(*f, mesh), mesh);
   }
 
-  /// Returns the border halfedges of a mesh, by `key(source, target)` of the border points that they connect. Returns
+  /// returns the border halfedges of a mesh, by `key(source, target)` of the border points that they connect. Returns
   /// nothing if the border is not that of the closing.
   template <typename FaceGraph, typename VertexPointMap>
   std::optional<std::unordered_map<std::uint64_t, typename boost::graph_traits<FaceGraph>::halfedge_descriptor> >

@@ -285,7 +285,7 @@ public:
     return sum / 2;
   }
 
-  /// Estimates the number of pieces that `clip_mesh_to_cells()` creates at a spacing, without creating them.
+  /// estimates the number of pieces that `clip_mesh_to_cells()` creates at a spacing, without creating them
   template <typename InputMesh>
   static double estimated_number_of_pieces(const InputMesh& input, double spacing)
   {
@@ -343,7 +343,7 @@ std::vector<std::uint64_t> cells_at_mesh(const InputMesh& input, const Lattice_3
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Returns the lattice keys of the cells that the mesh enters, ascending.
+ * \brief returns the lattice keys of the cells that the mesh enters, ascending.
  *
  * \pre the coordinates of `input` divided by the lattice's spacing are at most `Lattice_key::max_coordinate`
  */

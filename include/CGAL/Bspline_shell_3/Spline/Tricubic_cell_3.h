@@ -46,27 +46,27 @@ public:
   const std::array<double, 3>& corner() const { return m_corner; }
   /// returns the length of the cell's edges in the units of the coordinates, exactly
   double width() const { return m_width; }
-  /// Returns the closed cell; its corners are exact.
+  /// returns the closed cell; its corners are exact
   Bbox_3 bbox() const
   {
     return Bbox_3(m_corner[0], m_corner[1], m_corner[2], m_corner[0] + m_width, m_corner[1] + m_width,
                   m_corner[2] + m_width);
   }
-  /// Returns the 64 Bernstein coefficients.
+  /// returns the 64 Bernstein coefficients
   const double* coefficients() const { return m_coefficients; }
   /// returns a bound on the error of each coefficient, and hence on the difference of the polynomial and the spline on
   /// the cell. The bound is infinite if the spline has coefficients that are not finite, or close to the largest
   /// `double`.
   double error_radius() const { return m_error_radius; }
 
-  /// Returns the range of the Bernstein coefficients, which encloses the polynomial on the cell.
+  /// returns the range of the Bernstein coefficients, which encloses the polynomial on the cell
   std::pair<double, double> coefficient_range() const
   {
     const auto mm = std::minmax_element(m_coefficients, m_coefficients + 64);
     return { *mm.first, *mm.second };
   }
 
-  /// Returns the position of `p` in the cell; the cell itself is \f$[0,1]^3\f$.
+  /// returns the position of `p` in the cell; the cell itself is \f$[0,1]^3\f$
   template <typename Point>
   std::array<double, 3> local_coordinates(const Point& p) const
   {
@@ -81,7 +81,7 @@ public:
   {
     return local_value(local_coordinates(p));
   }
-  /// Returns the value at local coordinates.
+  /// returns the value at local coordinates
   double local_value(const std::array<double, 3>& t) const
   {
     return internal::contract(m_coefficients, bernstein(t[0]), bernstein(t[1]), bernstein(t[2]));

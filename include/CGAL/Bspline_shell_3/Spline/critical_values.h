@@ -155,7 +155,7 @@ inline Critical_center critical_center(const Enclosed_tricubic& f)
 }
 
 /// \ingroup PkgBsplineShell3Spline
-/// Encloses the values of a function at the points where its gradient vanishes. If the range is empty (`min > max`), it
+/// encloses the values of a function at the points where its gradient vanishes. If the range is empty (`min > max`), it
 /// is proved that there is no such point.
 inline Level_range critical_values(const Enclosed_tricubic& f)
 {

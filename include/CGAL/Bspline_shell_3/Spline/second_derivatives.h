@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Spline
-/// A symmetric matrix with the entries xx, yy, zz, yz, xz, xy.
+/// a symmetric matrix with the entries xx, yy, zz, yz, xz, xy
 typedef std::array<double, 6> Symmetric_matrix_3;
 
 /*!
@@ -56,7 +56,7 @@ struct Symmetric_matrix_range_3
   }
 
   /// returns a matrix, rounded, whose quadratic form is at least that of each matrix: the center of the range, with the
-  /// row sums of the radius added to the diagonal, because \f$2 |d_a d_b| \le d_a^2 + d_b^2\f$.
+  /// row sums of the radius added to the diagonal, because \f$2 |d_a d_b| \le d_a^2 + d_b^2\f$
   Symmetric_matrix_3 largest_form() const
   {
     Symmetric_matrix_3 q, radius;

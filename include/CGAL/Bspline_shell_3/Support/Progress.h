@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Support
-/// The steps of the construction of a shell.
+/// the steps of the construction of a shell
 enum class Shell_step
 {
   CHECK,      ///< copy, triangulate, and check the mesh
