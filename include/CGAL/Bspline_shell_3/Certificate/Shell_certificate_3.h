@@ -53,11 +53,11 @@ namespace Bspline_shells {
  * shell, or reports where the proof fails.
  *
  * If all five claims (`Claim`) are proved, every integral curve in the components of the shell that contain the mesh
- * meets the mesh in exactly one point. The mesh then does not intersect itself, and is isotopic in the shell to every
- * level set whose value is at least that of the inner threshold and at most that of the outer threshold everywhere in
- * these components. Two such meshes in the same components of the shell are mapped onto each other by a homeomorphism.
- * No proof relies on samples: values and slopes are enclosed on whole facets and boxes, and crossings are counted
- * exactly.
+ * meets the mesh in exactly one point, and the mesh does not intersect itself. Let \f$c\f$ be a value between the
+ * largest inner and the smallest outer threshold in these components. The mesh is isotopic in the shell to the level
+ * set \f$\{f = c\}\f$. Two such meshes in the same components of the shell are mapped onto each other by a
+ * homeomorphism. No proof relies on samples: values and slopes are enclosed on whole facets and boxes, and crossings
+ * are counted exactly.
  *
  * The components of a certified shell are those of the mesh for which it was built. A mesh is certified in such a shell
  * only if it has exactly one component in each of them, and no other component. Hence all meshes that are certified in
@@ -205,8 +205,8 @@ public:
   /// @{
   /// returns a lower bound of \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved.
   double least_gradient() const { return report().least_gradient; }
-  /// returns an upper bound, in the units of the coordinates, of the length of integral curves in the shell, and hence
-  /// of the distance between a point and its image on any other certified mesh. The bound is infinite if the gradient
+  /// returns an upper bound of the length of integral curves in the shell, in the units of the coordinates. It bounds
+  /// the distance between a point and its image on any other certified mesh. The bound is infinite if the gradient
   /// claim is not proved.
   double displacement_bound() const { return report().displacement_bound; }
   /// returns, for each facet in the order of `faces(mesh)`, an upper bound of the length in the shell of the integral

@@ -204,8 +204,8 @@ private:
     for(Vector& n : m_vertex_normals) n = unit(n);
   }
 
-  // Returns the normal at a point of a facet, or zero on a facet (and its edges) that is so thin that the position of a
-  // point in it is within rounding errors.
+  // Returns the normal at a point of a facet. Returns zero on a facet, and on its edges, if the facet is so thin that
+  // positions in it are within rounding errors.
   Vector normal_at(std::size_t n, const Distance_kernel::Point_3& p) const
   {
     const Distance_kernel::Triangle_3& t = m_triangles[n];

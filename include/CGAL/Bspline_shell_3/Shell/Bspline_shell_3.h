@@ -142,7 +142,7 @@ public:
     m_truncation = std::move(truncation);
   }
   /// returns an enclosure of \f$f\f$ on each facet of the mesh for which the shell was built, in the order of
-  /// `faces(mesh)`, then on each triangle of the closing, and then on each triangle of discs
+  /// `faces(mesh)`. Enclosures on the triangles of the closing, and then on those of discs, follow.
   const std::vector<Level_range>& facet_ranges() const { return m_facets; }
 
   /// returns one or more paths through each component of a certified shell, with which

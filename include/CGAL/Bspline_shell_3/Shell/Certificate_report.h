@@ -220,8 +220,8 @@ struct Certificate_report
   double least_gradient = 0;
   /// an upper bound of \f$|\nabla f|\f$ on the cells of the cover; infinite if there is none
   double greatest_gradient = std::numeric_limits<double>::infinity();
-  /// an upper bound of the length of integral curves in the shell, and hence of the distance between a point and its
-  /// image on any other certified mesh, in the units of the coordinates. Infinite if the gradient claim is not proved.
+  /// an upper bound of the length of integral curves in the shell, in the units of the coordinates. It bounds the
+  /// distance between a point and its image on any other certified mesh. Infinite if the gradient claim is not proved.
   /// `Shell_certificate_3::displacement_bounds()` returns a bound for each facet.
   double displacement_bound = std::numeric_limits<double>::infinity();
   /// a lower bound of the angle between integral curves and facets, in radians; 0 if containment or transversality is

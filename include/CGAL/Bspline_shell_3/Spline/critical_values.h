@@ -26,8 +26,8 @@ namespace Bspline_shells {
  * vanishes.
  *
  * Let \f$g = f\f$. If \f$f\f$ is quadratic with a critical point at \f$c\f$, the result is constant, by Euler's
- * identity. On a box that is small relative to the third derivatives of \f$f\f$, it is nearly constant, so its
- * coefficients enclose the values of \f$g\f$ at critical points of \f$f\f$ much more closely than the coefficients of
+ * identity. On a box that is small relative to the third derivatives of \f$f\f$, it is nearly constant. Its
+ * coefficients therefore enclose the values of \f$g\f$ at critical points of \f$f\f$ much more closely than those of
  * \f$g\f$ do. This includes walls of every direction, in whose middle all points are nearly critical. The degree is
  * three along each axis, like that of \f$f\f$.
  *

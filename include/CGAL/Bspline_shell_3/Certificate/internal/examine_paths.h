@@ -35,8 +35,8 @@ inline constexpr std::array<std::array<double, 3>, 4> path_points = {
 inline constexpr std::size_t max_spare_paths = 3; // per component
 
 // Returns the facets of a component through which paths are tried. Large facets, whose middles are far from edges,
-// alternate with facets from all parts of the component, because the largest facets of a symmetric mesh may be copies
-// of each other, and may all lie at creases, where gradients turn too fast for a straight path.
+// alternate with facets from all parts of the component. The largest facets of a symmetric mesh may be copies of each
+// other, and may all lie at creases, where gradients turn too fast for a straight path.
 inline std::vector<Input_mesh_3::Triangle_mesh::Face_index> path_facets(
   std::vector<std::pair<double, Input_mesh_3::Triangle_mesh::Face_index> >& facets)
 {

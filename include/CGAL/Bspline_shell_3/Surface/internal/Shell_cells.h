@@ -22,13 +22,13 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The leaf cells of a shell's field, some of which are split, so that no leaf has both boxes of the shell's cover and
-// boxes outside of the cover that the level set may intersect. Leaves with boxes of the cover are selected. Boxes of
-// the cover touch only each other and excluded boxes, which a level between the thresholds does not intersect. Hence no
+// The leaf cells of a shell's field, some of which are split: no leaf has both boxes of the shell's cover and boxes
+// outside of the cover that the level set may intersect. Leaves with boxes of the cover are selected. Boxes of the
+// cover touch only each other and excluded boxes, which a level between the thresholds does not intersect. Hence no
 // part of the level set leaves the selected leaves.
 //
-// Leaves are also split if they have boxes of the cover that are monotone in nearly opposite directions, because two
-// parts of the level set are then close to each other, and each of them needs its own leaves.
+// Leaves are also split if they have boxes of the cover that are monotone in nearly opposite directions. Two parts of
+// the level set are then close to each other, and each of them needs its own leaves.
 //
 // Leaves that touch differ by at most one level. Leaves of the field that are not split keep their indices; the others
 // follow.
