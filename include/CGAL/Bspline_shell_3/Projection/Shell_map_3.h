@@ -43,7 +43,8 @@ namespace Bspline_shells {
  * Certificates are not required, but the constructor compares the components of the meshes:
  * - If the shell is certified, and each mesh is closed or is closed by `Bspline_shell_3::closing()`, each mesh must
  *   have a vertex in each component of the shell, or be crossed by the paths through this component. Otherwise, the
- *   status is `OTHER_COMPONENTS`, and no points are mapped.
+ *   status is `OTHER_COMPONENTS`, and no points are mapped; if all paths through the component are degenerate, it is
+ *   `COMPONENTS_UNKNOWN`.
  * - For other shells and meshes, segments through the shell are constructed at the largest facets of each component of
  *   the two meshes. If each component is crossed by such a segment that also crosses the other mesh, the status is
  *   `SUCCESS`; otherwise, it is `COMPONENTS_UNKNOWN`. Points are mapped in both cases.
