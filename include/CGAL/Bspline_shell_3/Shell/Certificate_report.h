@@ -43,6 +43,23 @@ inline const char* name(Verdict verdict)
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
+ * \brief A place where a claim fails or is undecided.
+ */
+struct Witness
+{
+  /// exact, dyadic barycentric coordinates of the point, by the vertices of the triangle or the ends of the segment
+  std::array<double, 3> barycentric = {};
+  /// the point, rounded
+  std::array<double, 3> point = {};
+  /// encloses the value at the point: of the field, or of the derivative along the normal per user unit
+  Level_range value;
+  /// whether the point lies outside the field's domain
+  bool outside = false;
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Shell
+ *
  * \brief counts how often each tier of a predicate decided.
  */
 struct Predicate_statistics
