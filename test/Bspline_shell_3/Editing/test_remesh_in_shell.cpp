@@ -149,7 +149,8 @@ void check_result(const BS::Remeshing_report& report, const AnyShell& shell, con
     const auto c = shell.field().locate(p);
     REQUIRE(c != AnyShell::Field::npos);
     const auto g = shell.field().cell(c).first_order_jet(p).gradient;
-    if(BS::fan_winding_number(mesh, v, p + Vector_3(g[0], g[1], g[2])) != 1) ++bad_fans;
+    const auto link = BS::internal::vertex_link(mesh, v);
+    if(BS::link_winding_number(p, p + Vector_3(g[0], g[1], g[2]), link) != 1) ++bad_fans;
   }
   CHECK(bad_fans == 0);
 }
