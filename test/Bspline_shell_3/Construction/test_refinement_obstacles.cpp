@@ -21,7 +21,7 @@ typedef Hierarchy::Index Index;
 
 } // namespace
 
-TEST_CASE("Obstacles: the narrower one of wall and gap, if it is not far wider than the cell, the narrowest first")
+TEST_CASE("Obstacles: the narrower of wall and gap is reported unless it is far wider than the cell, narrowest first")
 {
   // A plate of thickness 0.3 at z = 1. For y > 0, there is a plate of thickness 0.6 above it, at a distance of 0.2.
   Mesh mesh = box(Point_3(-3, -3, 1), Point_3(3, 3, 1.3));
@@ -66,8 +66,7 @@ TEST_CASE("Obstacles: the narrower one of wall and gap, if it is not far wider t
   CHECK(std::isinf(BS::refinement_obstacles<CGAL::Sequential_tag>(small, in_small, gap, one).front().gap));
 }
 
-TEST_CASE(
-  "Obstacles: where a limit ends refinement, the report has the wall, where it is and how small cells may have to be")
+TEST_CASE("Obstacles: if a limit ends refinement, the report has the wall, its location, and the cell size it may need")
 {
   const double thickness = 0.002;
   const Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, thickness));
@@ -95,7 +94,7 @@ TEST_CASE(
   CHECK(proved.report().obstacles.empty());
 }
 
-TEST_CASE("Obstacles: sentences say gap or wall, and where nothing is narrow, that there is no proof")
+TEST_CASE("Obstacles: messages name a gap or a wall, or the missing proof if nothing is narrow")
 {
   BS::Refinement_obstacle o;
   o.point = { 1, 2, 3 };

@@ -6,7 +6,7 @@
 #include <string>
 
 namespace test_checksum {
-TEST_CASE("Checksums are CRC-64/XZ")
+TEST_CASE("Checksum: the checksum is the CRC-64/XZ of a text")
 {
   BS::Checksum checksum;
   CHECK(checksum.value() == 0);
