@@ -56,7 +56,7 @@ with tempfile.TemporaryDirectory() as folder:
     done = run(write(path("tray.obj"), obj), path("obj"), "--thickness", "0.02")
     assert done.returncode == 0, done
     assert report("obj")["kind"] == "virtually closed" and report("obj")["repairs"]["turned_polygons"] == 1, report("obj")
-    assert report("obj")["closing"]["holes"] == 1 and "turned round" in done.stdout, done
+    assert report("obj")["closing"]["holes"] == 1 and "polygons reversed" in done.stdout, done
 
     # OFF: self-intersecting
     done = run(os.path.join(meshes, "bull.off"), path("off"))

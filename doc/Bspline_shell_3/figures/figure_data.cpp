@@ -125,8 +125,10 @@ void write_curves(const Mesh& mesh, const std::string& prefix, double thickness,
   const Shell shell = certified_shell(mesh, thickness);
   const Mesh coarse = simplified(mesh, shell, facets);
   require(write_mesh(prefix + "_simplified.ply", coarse), "A mesh cannot be written.");
-  require(write_surface(prefix + "_inner.ply", shell, shell.inner_threshold()) == 0, "The inner surface was not written.");
-  require(write_surface(prefix + "_outer.ply", shell, shell.outer_threshold()) == 0, "The outer surface was not written.");
+  require(write_surface(prefix + "_inner.ply", shell, shell.inner_threshold()) == 0,
+          "The inner surface was not written.");
+  require(write_surface(prefix + "_outer.ply", shell, shell.outer_threshold()) == 0,
+          "The outer surface was not written.");
 
   const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
   int axis = 0;
