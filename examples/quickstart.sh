@@ -8,7 +8,7 @@
 set -euo pipefail
 mesh=${1-} options=()
 if [ -n "$mesh" ]; then
-  [[ -f $mesh && -r $mesh ]] || { echo "$mesh is not a file that can be read." >&2; exit 2; }
+  [[ -f $mesh && -r $mesh ]] || { echo "$mesh cannot be read: check its path and permissions." >&2; exit 2; }
   mesh=$(realpath -- "$mesh")
 fi
 if [ $# -ge 2 ]; then
@@ -22,16 +22,16 @@ install_packages "${BUILD_PACKAGES[@]}" python3 python3-vtk9 xvfb xauth
 build=build/quickstart
 launcher=()
 command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-echo "Building (a minute or two, the first time) ..."
+echo "Building (one to two minutes the first time) ..."
 mkdir -p "$build"
 { cmake -S . -B "$build" -G Ninja -Wno-dev "${launcher[@]}" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF &&
   cmake --build "$build" --target simplify_and_transfer; } >"$build/build.log" 2>&1 ||
-  { tail -n 30 "$build/build.log"; echo "The build failed; see $build/build.log"; exit 1; }
+  { tail -n 30 "$build/build.log"; echo "The build failed: see $build/build.log."; exit 1; }
 
 if [ -z "$mesh" ]; then
   mesh=$build/data/meshes/elephant.off
   [ -f "$mesh" ] || {
-    echo "There is no $mesh: data.tar.gz of libcgal-demo is missing or broken; see $build/build.log, or give a mesh." >&2
+    echo "$mesh does not exist, as data.tar.gz of libcgal-demo is missing or broken: see $build/build.log, or pass a mesh." >&2
     exit 1
   }
 fi
@@ -49,7 +49,7 @@ draw() {      # PREFIX
 if [[ $status != 0 && $status != 4 && $status != 7 ]]; then
   for prefix in "results/$name.failed" "results/$name"; do
     if [ "${prefix}_places.ply" -nt "$begin" ]; then
-      echo "${prefix}_places.ply has the places where the proof fails, in ${prefix}_mesh.ply."
+      echo "${prefix}_places.ply contains the points where the proof fails; ${prefix}_mesh.ply is the mesh."
       if draw "$prefix"; then echo "$prefix.png shows them."; fi
     fi
   done
@@ -57,19 +57,19 @@ if [[ $status != 0 && $status != 4 && $status != 7 ]]; then
 fi
 if draw "results/$name"; then
   picture="
-  results/$name.png              before and after, and a cut: inner surface blue, meshes black and green, outer surface red"
+  results/$name.png              before, after, and a section: inner surface blue, meshes black and green, outer surface red"
 else
   picture="
-  (no picture: see $build/render.log)"
+  (The picture could not be drawn: see $build/render.log.)"
   rm -f "results/$name.png"       # a picture of an earlier run
 fi
 cat <<END
 Results:
-  results/${name}.json             what was done with the file, and why
-  results/${name}_simplified.json  how far it is simplified, and how far points arrive from where they started, there and back
-  results/${name}_mesh.ply         the mesh, or a proxy of what is none, with colors and a distance at its vertices
-  results/${name}_simplified.ply   the simplified mesh, with what was carried over
-  results/${name}_detail.ply       the same surface in small triangles, with the color at every vertex
+  results/${name}.json             report on the repairs, the proxy and the shell
+  results/${name}_simplified.json  numbers of facets, and errors of points after the round trip between both meshes
+  results/${name}_mesh.ply         the repaired mesh, or a proxy, with a color and a distance at each vertex
+  results/${name}_simplified.ply   the simplified mesh, with the transferred attributes
+  results/${name}_detail.ply       the same surface, subdivided, with the transferred color at each vertex
   results/${name}_inner.ply        inner bounding surface of the shell
   results/${name}_outer.ply        outer bounding surface$picture
 END

@@ -23,15 +23,15 @@ BLUE, RED, GREY, BLACK, GREEN = (0.20, 0.42, 0.85), (0.85, 0.25, 0.20), (0.93, 0
 
 def read(name, points=False):
     if not os.path.isfile(name):
-        sys.exit(f"{name} is missing")
+        sys.exit(f"{name} does not exist.")
     reader = vtk.vtkPLYReader()
     reader.SetFileName(name)
     reader.Update()
     data = reader.GetOutput()
     if points and data.GetNumberOfPoints() == 0:
-        sys.exit(f"{name} has no points")
+        sys.exit(f"{name} has no points.")
     if not points and data.GetNumberOfPolys() == 0:
-        sys.exit(f"{name} has no facets")
+        sys.exit(f"{name} has no facets.")
     return data
 
 
@@ -225,7 +225,7 @@ def main(prefix, picture):
     cut += [outline(inner, plane, BLUE, 1.5), outline(outer, plane, RED, 1.5), outline(mesh, plane, BLACK, 1.5)]
     if simplified:
         panels.append(([actor(detail), edges(simplified)],
-                       [title(f"simplified: {simplified.GetNumberOfPolys()} facets, colors carried over")]))
+                       [title(f"simplified: {simplified.GetNumberOfPolys()} facets, transferred colors")]))
         cut += [actor(half(simplified, plane), GREY), outline(simplified, plane, GREEN, 1.5)]
         simplified_legend = [("simplified", GREEN)]
     else:

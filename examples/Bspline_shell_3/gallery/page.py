@@ -20,7 +20,7 @@ def read(figure):
     if not unfinished.exists():
         return None
     failure = unfinished / "failure.txt"
-    return {"failure": failure.read_text(encoding="utf-8") if failure.exists() else "It was not finished."}
+    return {"failure": failure.read_text(encoding="utf-8") if failure.exists() else "The run was interrupted."}
 
 
 def link(path):
@@ -77,7 +77,7 @@ def write_page():
     cards = "\n".join(card(figure, results) for figure, results in shown if "failure" not in results)
     sections = "\n\n".join(section(figure, results) for figure, results in shown)
     missing = " ".join(figure.name for figure, results in found if results is None)
-    more = f"<p>Not made yet: <code>bash examples/gallery.sh {missing}</code></p>" if missing else ""
+    more = f"<p>Some figures are missing: run <code>bash examples/gallery.sh {missing}</code></p>" if missing else ""
     minutes = sum(results.get("seconds", 0) for _, results in shown) / 60
     with open(f"{HERE}/page.css", encoding="utf-8") as style:
         css = style.read()
@@ -93,11 +93,11 @@ def write_page():
 <body>
 <header>
 <h1>Cubic B-spline shells</h1>
-<p class="lead">A smooth shell around a triangle mesh, and a map from the mesh to others in the shell that is proved to be one-to-one: so that meshes
-can be simplified, remeshed, repaired and computed on, and keep what they carry.</p>
+<p class="lead">A smooth shell around a triangle mesh defines a map to other meshes in the shell, which is proved to be one-to-one. Meshes can be
+simplified, remeshed and repaired, and keep their attributes.</p>
 <p class="links"><a href="{link('README.md')}">README</a> <a href="{link('doc/Bspline_shell_3/Bspline_shell_3.txt')}">User manual</a>
 <a href="{link('doc/Bspline_shell_3/Measurements.txt')}">Measurements</a> <a href="{link('examples/Bspline_shell_3')}">Examples</a></p>
-<p class="try"><code>bash examples/quickstart.sh MESH</code> simplifies a mesh of your own, and draws it.</p>
+<p class="try"><code>bash examples/quickstart.sh MESH</code> simplifies your own mesh, and draws it.</p>
 </header>
 <main>
 <nav>
@@ -108,9 +108,9 @@ can be simplified, remeshed, repaired and computed on, and keep what they carry.
 <footer>
 {more}
 <p>All programs and pictures above took {minutes:.1f} minutes on {os.cpu_count()} processors: <code>bash examples/gallery.sh</code></p>
-<p>The figures are those of the paper <cite>Smooth Bijective Projection of Polygonal Meshes via a Cubic B-Spline Shell</cite> (2025), made again
-on other meshes: those of CGAL's data folder, and models that the programs make. Numbers are read from what the programs print and write. Commands are to be
-run in the folder of the package. Quotations leave out references.</p>
+<p>The figures are those of the paper <cite>Smooth Bijective Projection of Polygonal Meshes via a Cubic B-Spline Shell</cite> (2025), reproduced
+on other meshes: meshes of CGAL's data folder, and models that the programs generate. All numbers are read from the output of the programs. Run the commands
+in the folder of the package. Quotations omit references.</p>
 </footer>
 </body>
 </html>

@@ -34,12 +34,13 @@ def make_gamma(making):
         return [f"{'ours' if shell['gamma'] is None else 'γ = ' + format(shell['gamma'], 'g')}: {text(shell)}" for shell in found]
     finest, ours = found[-2:]
     return Results(
-        (f"{count(finest['cells'])} → {count(ours['cells'])}", "cells of shells as thin: of one size, and as small as the proof needs them"),
-        [("surfaces.png", "Inner surfaces (blue) and outer ones (red) of armadillo's shells. |f| is the largest on the mesh, in units of the box."),
-         ("sections.png", "Cuts through them, and two toes in a magnifier. Colors are those of f; where there is none, the shell has no cells.")],
+        (f"{count(finest['cells'])} → {count(ours['cells'])}", "cells of equally thin shells: equal cells, and adaptive cells"),
+        [("surfaces.png", "Inner (blue) and outer (red) surfaces of shells of armadillo. "
+                           "|f| is the largest value on the mesh, relative to the bounding box."),
+         ("sections.png", "Sections through the shells, with two toes magnified. The color shows f; areas without color have no cells.")],
         [("Largest |f| on the mesh", "0.19\u202f% at γ = 130, on a model of Thingi10K", lines(lambda shell: percent(100 * shell["largest_value"]))),
-         ("Thickness, of the box", NOT_GIVEN, lines(lambda shell: percent(100 * shell["thickness"]))),
-         ("Cells; seconds", NOT_GIVEN, lines(lambda shell: f"{count(shell['cells'])}; {shell['seconds']:.1f} s")),
+         ("Thickness (of the bounding box)", NOT_GIVEN, lines(lambda shell: percent(100 * shell["thickness"]))),
+         ("Cells; time", NOT_GIVEN, lines(lambda shell: f"{count(shell['cells'])}; {shell['seconds']:.1f} s")),
          ("One-to-one", NOT_GIVEN, lines(verdict))])
 
 
@@ -63,12 +64,12 @@ def make_gamma_impact(making):
     return Results(
         (f"{certified(finest)} → {certified(ours)} of {len(names)}",
          f"meshes whose map is proved to be one-to-one: equal cells at γ = {gammas[-1]}, and ours"),
-        [("impact.png", f"Seconds, thickness and proofs of {len(names)} meshes. Seconds of equal cells are without the proof, ours are with it. The "
-                        "thickness of ours is the one asked for; equal cells get thin shells of smooth meshes, and thick ones of others.")],
-        [("Seconds, mean", "plotted, as means over 100 models", lines(lambda shells: f"{mean('seconds')(shells):.2g} s")),
-         ("Thickness, of the box, mean", "plotted", lines(lambda shells: percent(100 * mean("thickness")(shells)))),
+        [("impact.png", f"Time, thickness and proofs of {len(names)} meshes. Times of equal cells exclude the proof, ours include it. Our shells "
+                        "have the requested thickness; equal cells yield thin shells of smooth meshes, and thick shells of others.")],
+        [("Mean time", "plotted, as means over 100 models", lines(lambda shells: f"{mean('seconds')(shells):.2g} s")),
+         ("Mean thickness (of the bounding box)", "plotted", lines(lambda shells: percent(100 * mean("thickness")(shells)))),
          ("Samples in the shell", "100K points on each model: all, on 499 of 500 models",
-          lines(lambda shells: f"all on {sum(shell['contained'] == 1 for shell in shells)} of {len(shells)}")),
+          lines(lambda shells: f"all samples for {sum(shell['contained'] == 1 for shell in shells)} of {len(shells)} meshes")),
          ("Proved to be one-to-one", NOT_GIVEN, lines(lambda shells: f"{certified(shells)} of {len(shells)}"))])
 
 
@@ -86,20 +87,20 @@ def make_mu(making):
     worst = max(found, key=lambda shell: sum(shell["distances"]["errors"]))
     return Results(
         (f"{of_points(sum(worst['distances']['errors']), worst)} → {of_points(sum(found[-1]['distances']['errors']), found[-1])}",
-         f"of the points get a wrong distance back: μ = {worst['mu']:g}, and ours"),
-        [("rotor.png", "Lines of equal distance on rotor; points whose distance comes back wrong (purple) or not at all (gray), and how many. "
-                       "The vertices of the other mesh are up to 40\u202f% of the way to a level away, and in our shell "
-                       f"{percent(100 * found[-1]['moved'])}: as far as is certified.")],
-        [("Distances off by more than 0.03 of the box", "shown as histograms",
+         f"of the points have a wrong distance after the round trip: μ = {worst['mu']:g}, and ours"),
+        [("rotor.png", "Isolines of the distance on rotor, and the points whose distance after the round trip is wrong (purple) or missing (gray). "
+                       "The vertices of the other mesh are moved by up to 40\u202f% of the way to a level; in our shell, by up to "
+                       f"{percent(100 * found[-1]['moved'])}, the largest certified amount.")],
+        [("Distances with an error above 0.03 of the bounding box", "shown as histograms",
           lines(lambda shell: of_points(sum(shell["distances"]["errors"]), shell))),
-         ("Points without one, as a corner of their facet there has none", NOT_GIVEN,
+         ("Points without a distance, because a corner of their facet has none", NOT_GIVEN,
           lines(lambda shell: of_points(shell["distances"]["missing"], shell))),
-         ("Points that do not come back; that come back more than 0.001 away", NOT_GIVEN,
+         ("Points lost in the round trip; points with an error above 0.001", NOT_GIVEN,
           lines(lambda shell: f"{of_points(shell['round_trip']['lost'], shell)}; "
                               f"{of_points(shell['round_trip']['0.03'] + shell['round_trip']['more'], shell)}")),
          ("Points where the gradient faces the wrong way", "“local gradient directions deviate”, if μ is small",
           lines(lambda shell: of_points(shell["wrong_side"] * shell["points"], shell))),
-         ("Thickness, of the box", "“the shell loses its geometric fidelity”, if μ is large",
+         ("Thickness (of the bounding box)", "“the shell loses its geometric fidelity”, if μ is large",
           lines(lambda shell: percent(100 * shell["thickness"]))),
          ("Points in the shell", NOT_GIVEN,
           lines(lambda shell: "all" if shell["contained"] == 1 else of_points(shell["contained"] * shell["points"], shell)))])
