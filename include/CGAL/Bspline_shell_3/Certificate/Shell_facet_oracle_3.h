@@ -68,7 +68,7 @@ enum class Facet_proofs
  *
  * \tparam Field a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for the facets at a vertex;
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`, for the facets at a vertex;
  *   verdicts are the same
  */
 template <typename Field = Uniform_bspline_field_3<>, typename Threshold = Constant_threshold,

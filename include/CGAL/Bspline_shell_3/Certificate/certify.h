@@ -29,7 +29,7 @@ namespace Bspline_shells {
  *
  * If a claim is not proved, the shell is left unchanged, and the witnesses of the certificate locate the failures.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam Field a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
  * \tparam PolygonMesh a model of `FaceListGraph`

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Construction
-/// a facet whose slope fails in a cell
+/// a facet across which the slope is too small in a cell
 struct Sloping_facet
 {
   std::uint32_t cell, facet;
@@ -29,13 +29,13 @@ struct Sloping_facet
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the probable cause of the obstacles to thresholds in a round.
+ * \brief the likely cause of the obstacles to thresholds in a round.
  */
 enum class Obstacle_kind
 {
   FEW,         ///< a few places
   MANY,        ///< many places, without a common cause
-  THICK_FIELD, ///< many places, after the field was too large on the mesh in many cells
+  THICK_FIELD, ///< many places, after |f| was too large on the mesh in many cells
   NARROW_GAPS  ///< walls or gaps are too narrow for the thickness on much of the mesh
 };
 
@@ -49,8 +49,8 @@ inline std::size_t many_obstacles(std::size_t cells_at_mesh, const Refinement_tu
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief records the rounds of a refinement: their progress, the facets that refinement does not help, and whether gaps
- * are too narrow.
+ * \brief records the rounds of a refinement: their progress, the facets at which refinement does not help, and whether
+ * gaps are too narrow.
  */
 class Refinement_history
 {
@@ -61,9 +61,8 @@ public:
   {}
 
   /// records a round in which thresholds were chosen.
-  /// \param round numbers of thick cells, failing facets and obstacles
-  /// \param undecided_volume total volume of the obstacles' boxes; boxes differ in size, so that fewer boxes may have
-  ///   more volume
+  /// \param round the number of thick cells, failing facets, and obstacles
+  /// \param undecided_volume total volume of the obstacles' boxes, whose sizes differ
   void add_round(const Refinement_round& round, double undecided_volume)
   {
     const bool makes_progress = round.thick_cells > 0 || round.failing_facets < m_fewest_facets
@@ -77,7 +76,7 @@ public:
   /// returns whether the last rounds made no progress
   bool is_in_vain() const { return m_rounds_in_vain >= m_tuning.max_rounds_in_vain; }
 
-  /// returns the cells of facets that have not reached the number of refinements allowed
+  /// returns the cells of the facets that may still cause refinement
   std::vector<std::uint32_t> cells_worth_refining(const std::vector<Sloping_facet>& facets) const
   {
     std::vector<std::uint32_t> cells;
@@ -95,7 +94,7 @@ public:
     for(std::uint32_t f : refined) ++m_refinements[f];
   }
 
-  /// classifies and records the obstacles of a round. Once gaps are found to be too narrow, they remain so.
+  /// classifies and records the obstacles of a round. Once gaps are considered too narrow, they remain so.
   /// \param cells number of cells with obstacles
   /// \param cells_at_mesh number of surface cells
   /// \param was_thick whether many cells were thick before corrections

@@ -10,21 +10,21 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Editing
-/// the reason why an edit ended. With the values from `SHELL` on, the target may not have been reached.
+/// the reason why an edit ended. With `SHELL` and the values after it, the target may not have been reached.
 enum class Edit_end
 {
   NOT_EDITED,     ///< the mesh is unchanged: the status is the reason
   TARGET,         ///< remeshing: all edges have about the requested length
-  STOP_PREDICATE, ///< simplification: the stop predicate ended the edit, because its target was reached, or to cancel
-  VISITOR,        ///< remeshing: the visitor ended it
+  STOP_PREDICATE, ///< simplification: the stop predicate ended the edit, at its target or to cancel
+  VISITOR,        ///< remeshing: the visitor ended the edit
   SHELL,          ///< the shell rejects at least one of the operations that would make progress
   FILTER,         ///< the shell would allow more, but the caller's filter rejects it
-  MESH,           ///< nothing is rejected, but connectivity, constraints or frozen facets prevent further operations
+  MESH,           ///< nothing is rejected, but connectivity, constraints, or frozen facets prevent further operations
   ITERATIONS      ///< remeshing: all iterations were done, and the shell rejected nothing in the last one
 };
 
 /// \ingroup PkgBsplineShell3Editing
-/// returns the reason in one sentence
+/// returns a sentence that describes the reason
 inline const char* message(Edit_end end)
 {
   switch(end) {

@@ -15,7 +15,7 @@ namespace Bspline_shells {
 enum class Edit_status
 {
   SUCCESS, ///< the result is certified
-  /// with `freeze_rejected_facets(true)`: facets were frozen, and the result is not certified. The other facets are
+  /// with `freeze_rejected_facets(true)`: facets were frozen, and the result is not certified; its other facets are
   /// proved to lie in the shell and to face along the gradient
   EDITED_EXCEPT_FROZEN,
   NO_SHELL,              ///< there is no shell
@@ -23,16 +23,18 @@ enum class Edit_status
   MEMORY_LIMIT_EXCEEDED, ///< the result and its certificate would need more memory than allowed
   TIME_LIMIT_EXCEEDED,   ///< the time limit was reached before the result was certified
   NOT_FINITE,            ///< a coordinate is infinite or not a number
-  NOT_TRIANGULATED,      ///< the mesh has no facet, or a facet that is not a triangle
-  OPEN_MESH,             ///< the mesh has a border
-  NOT_CLOSABLE,          ///< the mesh has the border of the shell, but also an edge of the shell's closing
-  NOT_IN_SHELL, ///< a facet is not proved to lie in the shell and to face along the gradient, or a fan winds twice
-  /// no facet was rejected before the edit, but the certificate of the result fails; the report lists the places
+  NOT_TRIANGULATED,      ///< the mesh has no facets, or a facet that is not a triangle
+  OPEN_MESH,             ///< the mesh has a border, which is not that of the shell's closing
+  NOT_CLOSABLE,          ///< the mesh has the border of the shell's closing, but also an edge of the closing
+  /// a facet is not proved to lie in the shell and to face along the gradient, the facets at a vertex do not wind
+  /// around it once, or the shell's truncation does not fit the mesh
+  NOT_IN_SHELL,
+  /// no facet was rejected before the edit, but the result could not be certified; the report lists the places
   NOT_CERTIFIED
 };
 
 /// \ingroup PkgBsplineShell3Editing
-/// returns one sentence that describes the problem and a remedy
+/// returns a sentence that describes the problem and a remedy
 inline const char* message(Edit_status status)
 {
   switch(status) {

@@ -44,7 +44,7 @@ public:
   /// Returns the facets that the segment crosses in their interiors, in the order of `faces(mesh)`. The sign of each is
   /// 1 if the segment leaves at the front, and -1 if it enters there. Returns nothing if the segment touches an edge or
   /// a vertex, or ends on a facet: use another segment.
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for the comparison with
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`, for the comparison with
   ///   all facets; the result is the same
   template <typename ConcurrencyTag = Sequential_tag>
   std::optional<std::vector<std::pair<Face_index, int> > > crossings(const Point_3& p, const Point_3& q) const;

@@ -12,16 +12,16 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief the outcome of moving a point along its integral curve. If the value is not `SUCCESS`, the point has no image.
- * A map has a status, too (`Shell_map_3::status()`).
+ * \brief the outcome of moving a point along its integral curve: if the value is not `SUCCESS`, the point has no image.
+ * Also the status of a map (`Shell_map_3::status()`).
  */
 enum class Flow_status
 {
   SUCCESS,
-  COMPONENTS_UNKNOWN, ///< maps: it is unknown whether both meshes lie in the same components of the shell
+  COMPONENTS_UNKNOWN, ///< maps: it is unknown whether the two meshes lie in the same components of the shell
   OTHER_COMPONENTS,   ///< a component of the shell contains no part of the source, or no part of the target
   NO_SHELL,           ///< there is no shell
-  INVALID_MESH,       ///< the target has facets that are not triangles, or coordinates that are not finite
+  INVALID_MESH,       ///< the mesh has facets that are not triangles, or coordinates that are not finite
   NOT_FINITE,         ///< a coordinate of the point is infinite or not a number
   STARTS_OUTSIDE,     ///< the point is not in the shell
   LEAVES_SHELL,       ///< the curve leaves the shell without meeting the target
@@ -32,7 +32,7 @@ enum class Flow_status
 };
 
 /// \ingroup PkgBsplineShell3Projection
-/// returns one sentence that describes the problem and a remedy
+/// returns a sentence that describes the problem and a remedy
 inline const char* message(Flow_status status)
 {
   switch(status) {

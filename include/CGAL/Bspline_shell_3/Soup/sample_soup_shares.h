@@ -31,7 +31,7 @@ namespace Bspline_shells {
  *
  * Samples are distributed over the facets by area, with at least one on each facet. Every call uses the same samples.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam Map a `Soup_map_3`
  * \param map from the soup to the proxy
  * \param samples approximate number of samples, in addition to one per facet

@@ -23,7 +23,7 @@ namespace Bspline_shells {
  * Wraps of thin parts and around the rims of holes may have vertices whose facets face no common direction. In this
  * case the wrap is repeated with `alpha` and `offset` increased by 25 %, for at most eight wraps.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \param soup the soup
  * \param alpha size of the cavities and gaps that the wrap enters, in user units
  * \param offset distance of the wrap's vertices from the soup, in user units

@@ -54,7 +54,7 @@ struct All_cells
  * thousand roundings of the coordinates, so that no two vertices coincide. Facets may be that small: write coordinates
  * with all digits. Parts of the level set that lie within one tetrahedron, or closer together, may be missed or joined.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam Field a model of `BsplineField_3`, with a `Cell_complex_3` or a `Cell_hierarchy_3`
  * \tparam Level a number type, or a model of `ShellThreshold`
  * \tparam TriangleMesh a model of `MutableFaceGraph`

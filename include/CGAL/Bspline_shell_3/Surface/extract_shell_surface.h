@@ -135,7 +135,7 @@ bool keep_components_on_paths(const Field& field, const Threshold& threshold, co
  * level set in the cover. Without a cover, it contains the closed parts in `Bspline_shell_3::shell_cells()`; if
  * thresholds are constant, all parts there must be closed.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam Field a model of `BsplineField_3`, with a `Cell_complex_3` or a `Cell_hierarchy_3`
  * \tparam Threshold a model of `ShellThreshold`
  * \tparam TriangleMesh a model of `MutableFaceGraph`
