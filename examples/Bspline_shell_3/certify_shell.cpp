@@ -1,6 +1,6 @@
-// Checks whether the map of a shell is one-to-one. The certificate has a verdict for each claim, and witnesses where a
-// proof fails. The same object certifies other meshes in the shell. Single facets can be tested before a mesh is
-// changed.
+// Verifies the claims of the certificate for a mesh in a shell of equal cells. The certificate has a verdict for each
+// claim, and witnesses where a proof fails. The same object verifies other meshes in the shell. Single facets can be
+// tested before a mesh is changed.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/IO/write_certificate.h>
