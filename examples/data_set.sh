@@ -35,15 +35,15 @@ install_packages "${BUILD_PACKAGES[@]}" python3 python3-matplotlib python3-pil p
 
 launcher=()
 command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-echo "Building (takes a minute or two the first time) ..."
+echo "Building (one to two minutes the first time) ..."
 mkdir -p "$build"
 { cmake -S . -B "$build" -G Ninja -Wno-dev "${launcher[@]}" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF &&
   cmake --build "$build" --target simplify_and_transfer; } >"$build/build.log" 2>&1 ||
-  { tail -n 30 "$build/build.log"; echo "The build failed; see $build/build.log"; exit 1; }
+  { tail -n 30 "$build/build.log"; echo "The build failed: see $build/build.log."; exit 1; }
 
 snakemake --snakefile "$here/Snakefile" --scheduler greedy --rerun-incomplete --keep-going "${cores[@]}" "${options[@]}" \
           --directory "$results" --config meshes="$meshes" "${config[@]}" || {
-  echo "Some results are missing. Complete results are kept; run the script again to resume." >&2
+  echo "Some results are missing. Complete results are kept: run the command again to continue." >&2
   exit 1
 }
 echo "$results/index.html"

@@ -17,19 +17,19 @@ export PYTHONDONTWRITEBYTECODE=1
 gallery() { /usr/bin/python3 "$here/gallery.py" "$@"; }
 mkdir -p results/gallery
 exec 9>results/gallery/.lock
-flock -n 9 || { echo "Another run is generating figures." >&2; exit 2; }
+flock -n 9 || { echo "Another run is making figures: wait until it has ended." >&2; exit 2; }
 pending=$(gallery pending "$@") || exit 2
 if [ -n "$pending" ]; then
   mapfile -t figures <<<"$pending"
   mapfile -t programs < <(gallery programs "${figures[@]}")
   launcher=()
   command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-  echo "Building ${programs[*]} (takes five minutes the first time) ..."
+  echo "Building ${programs[*]} (about five minutes the first time) ..."
   mkdir -p "$build"
   # If a program cannot be built, the others are still built.
   { cmake -S "$here" -B "$build" -G Ninja -Wno-dev "${launcher[@]}" -DCMAKE_BUILD_TYPE=Release &&
     cmake --build "$build" --target "${programs[@]}" -- -k 0; } >"$build/build.log" 2>&1 ||
-    { tail -n 10 "$build/build.log"; echo "Some programs could not be built; see $build/build.log"; }
+    { tail -n 10 "$build/build.log"; echo "Some programs could not be built: see $build/build.log."; }
 else
   figures=()
 fi

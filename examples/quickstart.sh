@@ -8,7 +8,7 @@
 set -euo pipefail
 mesh=${1-} options=()
 if [ -n "$mesh" ]; then
-  [[ -f $mesh && -r $mesh ]] || { echo "$mesh is not a file that can be read." >&2; exit 2; }
+  [[ -f $mesh && -r $mesh ]] || { echo "$mesh cannot be read: check its path and permissions." >&2; exit 2; }
   mesh=$(realpath -- "$mesh")
 fi
 if [ $# -ge 2 ]; then
@@ -22,16 +22,16 @@ install_packages "${BUILD_PACKAGES[@]}" python3 python3-vtk9 xvfb xauth
 build=build/quickstart
 launcher=()
 command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-echo "Building (takes a minute or two the first time) ..."
+echo "Building (one to two minutes the first time) ..."
 mkdir -p "$build"
 { cmake -S . -B "$build" -G Ninja -Wno-dev "${launcher[@]}" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF &&
   cmake --build "$build" --target simplify_and_transfer; } >"$build/build.log" 2>&1 ||
-  { tail -n 30 "$build/build.log"; echo "The build failed; see $build/build.log"; exit 1; }
+  { tail -n 30 "$build/build.log"; echo "The build failed: see $build/build.log."; exit 1; }
 
 if [ -z "$mesh" ]; then
   mesh=$build/data/meshes/elephant.off
   [ -f "$mesh" ] || {
-    echo "There is no $mesh: data.tar.gz of libcgal-demo is missing or broken; see $build/build.log, or specify a mesh." >&2
+    echo "$mesh does not exist, as data.tar.gz of libcgal-demo is missing or broken: see $build/build.log, or pass a mesh." >&2
     exit 1
   }
 fi
@@ -60,7 +60,7 @@ if draw "results/$name"; then
   results/$name.png              the mesh before and after, and a cross section of both meshes and the shell"
 else
   picture="
-  (no picture: see $build/render.log)"
+  (The picture could not be drawn: see $build/render.log.)"
   rm -f "results/$name.png"       # a picture of an earlier run
 fi
 cat <<END

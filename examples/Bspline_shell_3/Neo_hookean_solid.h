@@ -53,13 +53,13 @@ inline const char* message(Solid_status status)
 {
   switch(status) {
     case Solid_status::SUCCESS: return "All forces are in equilibrium.";
-    case Solid_status::INVALID_MESH: return "A tetrahedron has no positive volume, or a corner that is no point.";
-    case Solid_status::INVERTED_STATE: return "A tetrahedron is inverted in the state to start from.";
-    case Solid_status::NOT_HELD: return "The Hessian cannot be factored; are enough nodes held?";
+    case Solid_status::INVALID_MESH: return "A tetrahedron has no positive volume, or a corner that does not exist.";
+    case Solid_status::INVERTED_STATE: return "A tetrahedron is inverted in the initial state.";
+    case Solid_status::NOT_HELD: return "The Hessian cannot be factored: hold more nodes.";
     case Solid_status::MOVES_TOO_FAR:
-      return "Nodes are moved farther than the smallest load step can follow without inverting a tetrahedron.";
-    case Solid_status::NO_DECREASE: return "The line search found no smaller energy.";
-    case Solid_status::ITERATION_LIMIT_EXCEEDED: return "Newton's method did not converge in the iterations allowed.";
+      return "The nodes move too far: even the smallest load step would invert a tetrahedron.";
+    case Solid_status::NO_DECREASE: return "The line search did not decrease the energy.";
+    case Solid_status::ITERATION_LIMIT_EXCEEDED: return "Newton's method did not converge within the iteration limit.";
   }
   return "";
 }

@@ -38,10 +38,10 @@ int main(int argc, char** argv)
   const auto shell = CGAL::bspline_shell_3(
     mesh, parameters::resolution(30).signed_distance_oracle(Distance_to_sphere{ radius }));
   if(!shell) {
-    std::cerr << message(shell.status()) << std::endl;
+    std::cerr << shell.message() << std::endl;
     return EXIT_FAILURE;
   }
-  std::cout << "the mesh of the sphere lies between the levels " << shell.inner_level() << " and "
-            << shell.outer_level() << std::endl;
+  std::cout << "The mesh of the sphere lies between the levels " << shell.inner_level() << " and "
+            << shell.outer_level() << "." << std::endl;
   return EXIT_SUCCESS;
 }

@@ -27,9 +27,9 @@ int main(int argc, char** argv)
     std::cerr << message(first.status) << std::endl;
     return EXIT_FAILURE;
   }
-  std::cout << points.front() << "\nis mapped to\n"
-            << first.point << "\non facet " << first.location.first << ", barycentric coordinates "
-            << first.location.second[0] << " " << first.location.second[1] << " " << first.location.second[2] << "\n";
+  std::cout << "The point " << points.front() << "\nis mapped to " << first.point << "\non facet "
+            << first.location.first << " with barycentric coordinates " << first.location.second[0] << " "
+            << first.location.second[1] << " " << first.location.second[2] << ".\n";
 
   // Map locations on the meshes. The map can be used repeatedly.
   const Map map(shell, mesh, moved);
@@ -51,7 +51,7 @@ int main(int argc, char** argv)
     farthest_away = (std::max)(farthest_away, CGAL::squared_distance(points[n], images[n].point));
     farthest_back = (std::max)(farthest_back, CGAL::squared_distance(points[n], back[n].point));
   }
-  std::cout << points.size() << " points were moved by up to " << std::sqrt(farthest_away)
-            << "\nand returned to their places up to " << std::sqrt(farthest_back) << std::endl;
+  std::cout << points.size() << " points were moved by at most " << std::sqrt(farthest_away)
+            << ".\nAfter the round trip, their error is at most " << std::sqrt(farthest_back) << "." << std::endl;
   return farthest_back <= CGAL::square(1e-8 * shell.report().unit) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

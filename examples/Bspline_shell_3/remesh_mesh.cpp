@@ -23,8 +23,11 @@ int main(int argc, char** argv)
 {
   std::string file;
   double edges = 50, thickness = 0.01;
-  const auto code = Arguments("Usage: remesh_mesh MESH [EDGES along the longest side of the box, default 50] "
-                              "[THICKNESS, of the box, default 0.01]\n  Writes remeshed.ply.\n")
+  const auto code = Arguments(
+                      "Usage: remesh_mesh MESH [EDGES [THICKNESS]]\n"
+                      "  EDGES: target number of edges along the longest side of the bounding box (default 50)\n"
+                      "  THICKNESS: thickness of the shell, as a fraction of that side (default 0.01)\n"
+                      "  Writes remeshed.ply.\n")
                       .required(file)
                       .optional(edges)
                       .optional(thickness)
@@ -34,7 +37,7 @@ int main(int argc, char** argv)
   if(!read_mesh(file, mesh)) return EXIT_FAILURE;
   const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness));
   if(!shell) {
-    std::cerr << message(shell.status()) << std::endl;
+    std::cerr << shell.message() << std::endl;
     return EXIT_FAILURE;
   }
   const double unit = shell.report().unit; // the longest side of the bounding box
@@ -47,12 +50,13 @@ int main(int argc, char** argv)
   auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
   CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, 60, sharp);
   const auto report = BS::remesh_in_shell(mesh, unit / edges, shell, BS::parameters::edge_is_constrained_map(sharp));
-  std::cout << BS::message(report.status) << "\n";
+  std::cout << report.message() << "\n";
   if(!report) return EXIT_FAILURE;
-  std::cout << report.facets_before << " facets before, " << report.facets << " now: " << report.splits << " splits, "
-            << report.collapses << " collapses, " << report.flips << " flips, " << report.moves
-            << " moves; refused: " << report.placements.rejected() << "\nseconds: " << report.edit_seconds
-            << " (operations) " << report.certificate_seconds << " (certificate)\n";
+  std::cout << "facets: " << report.facets_before << " before, " << report.facets
+            << " after\noperations: " << report.splits << " splits, " << report.collapses << " collapses, "
+            << report.flips << " flips, " << report.moves << " moves; " << report.placements.rejected()
+            << " rejected\nseconds: " << report.edit_seconds << " for the operations, " << report.certificate_seconds
+            << " for the certificate\n";
 
   // Transfer the attribute to the result along the integral curves.
   mesh.collect_garbage();

@@ -23,15 +23,15 @@ BLUE, RED, GREY, BLACK, GREEN = (0.20, 0.42, 0.85), (0.85, 0.25, 0.20), (0.93, 0
 
 def read(name, points=False):
     if not os.path.isfile(name):
-        sys.exit(f"{name} is missing")
+        sys.exit(f"{name} does not exist.")
     reader = vtk.vtkPLYReader()
     reader.SetFileName(name)
     reader.Update()
     data = reader.GetOutput()
     if points and data.GetNumberOfPoints() == 0:
-        sys.exit(f"{name} has no points")
+        sys.exit(f"{name} has no points.")
     if not points and data.GetNumberOfPolys() == 0:
-        sys.exit(f"{name} has no facets")
+        sys.exit(f"{name} has no facets.")
     return data
 
 

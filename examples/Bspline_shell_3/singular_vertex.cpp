@@ -35,11 +35,11 @@ int main(int argc, char** argv)
   Mesh coarse = mesh;
   const auto result = BS::simplify_in_shell(coarse, shell);
   if(!result) {
-    std::cerr << BS::message(result.status) << std::endl;
+    std::cerr << result.message() << std::endl;
     return EXIT_FAILURE;
   }
   coarse.collect_garbage();
-  std::cout << result.facets_before << " facets before, " << result.facets << " now\n";
+  std::cout << "facets: " << result.facets_before << " before, " << result.facets << " after\n";
 
   const BS::Shell_map_3 map(shell, mesh, coarse);
   const auto inverse = map.inverse();
@@ -51,7 +51,7 @@ int main(int argc, char** argv)
     if(!back) return EXIT_FAILURE;
     farthest = (std::max)(farthest, std::sqrt(CGAL::squared_distance(mesh.point(v), back.point)));
   }
-  std::cout << "vertices return to within " << farthest << "\n";
+  std::cout << "After the round trip, the error of vertices is at most " << farthest << ".\n";
 
   // the truncated mesh that was certified, for inspection
   Mesh truncated = mesh;

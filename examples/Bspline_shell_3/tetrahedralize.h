@@ -92,7 +92,7 @@ inline Tetrahedra checked(Tetrahedra tetrahedra, const Surface& mesh)
     if(CGAL::orientation(p[a], p[b], p[c], p[d]) == CGAL::NEGATIVE) std::swap(c, d);
   }
   if(tetrahedra.error.empty() && !conforms(tetrahedra, mesh))
-    tetrahedra.error = "The border of the tetrahedra is not the mesh.";
+    tetrahedra.error = "The border of the tetrahedra differs from the mesh.";
   return tetrahedra;
 }
 

@@ -35,6 +35,7 @@ int main(int argc, char** argv)
   for(Mesh::Vertex_index v : moved.vertices())
     largest = (std::max)(largest, std::abs(height_on_moved[v] - moved.point(v).z()));
   const double bound = shell.report().certificate.displacement_bound;
-  std::cout << "heights are those of points at most " << bound << " away, and differ by up to " << largest << std::endl;
+  std::cout << "The largest error of a height is " << largest << "; the bound on the displacement is " << bound << "."
+            << std::endl;
   return save("transfer_scalar_field.ply", moved) && largest <= bound ? EXIT_SUCCESS : EXIT_FAILURE;
 }

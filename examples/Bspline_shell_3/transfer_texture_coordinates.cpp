@@ -65,8 +65,8 @@ int main(int argc, char** argv)
   const BS::Transfer_report report = BS::transfer_corner_attribute(BS::Shell_map_3<Shell, Mesh>(shell, mesh, moved), uv,
                                                                    uv_on_moved);
   if(!is_complete(report)) return EXIT_FAILURE;
-  std::cout << report.transferred << " facets have texture coordinates, " << report.facets_across_seams.size()
-            << " of them lie across seams\nlongest edge in the texture: " << longest_edge(mesh, uv) << " before, "
+  std::cout << report.transferred << " facets have texture coordinates; " << report.facets_across_seams.size()
+            << " of them lie across seams.\nlongest edge in the texture: " << longest_edge(mesh, uv) << " before, "
             << longest_edge(moved, uv_on_moved) << " after" << std::endl;
   return write("texture_before.obj", mesh, uv) && write("texture_after.obj", moved, uv_on_moved) ? EXIT_SUCCESS
                                                                                                  : EXIT_FAILURE;

@@ -97,7 +97,7 @@ void write_rounds(const Mesh& mesh, const std::string& prefix, double thickness)
     const Shell state = CGAL::certified_bspline_shell_3(
       mesh, BS::parameters::relative_thickness(thickness).memory_limit(limit));
     require(bool(state), state.message());
-    require(state.report().rounds.size() == n, "The limit of memory does not end the construction after this round.");
+    require(state.report().rounds.size() == n, "The memory limit does not end the construction after this round.");
     write_state(prefix + "_" + std::to_string(n), state, thickness);
   }
   write_state(prefix + "_" + std::to_string(rounds.size()), shell, thickness);
@@ -128,8 +128,10 @@ void write_curves(const Mesh& mesh, const std::string& prefix, double thickness,
   const Shell shell = certified_shell(mesh, thickness);
   const Mesh coarse = simplified(mesh, shell, facets);
   require(write_mesh(prefix + "_simplified.ply", coarse), "A mesh cannot be written.");
-  require(write_surface(prefix + "_inner.ply", shell, shell.inner_threshold()) == 0, "No inner surface.");
-  require(write_surface(prefix + "_outer.ply", shell, shell.outer_threshold()) == 0, "No outer surface.");
+  require(write_surface(prefix + "_inner.ply", shell, shell.inner_threshold()) == 0,
+          "The inner surface was not written.");
+  require(write_surface(prefix + "_outer.ply", shell, shell.outer_threshold()) == 0,
+          "The outer surface was not written.");
 
   const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
   int axis = 0;

@@ -18,15 +18,16 @@ DEFAULTS = {
 def options(config):
     """Returns the options: those of the configuration, converted to the types of the defaults, and defaults for the others."""
     if not config.get("meshes"):
-        raise ValueError("Specify a folder or a list: --config meshes=FOLDER")
+        raise ValueError("Pass a folder or a list of meshes: --config meshes=FOLDER")
     unknown = set(config) - set(DEFAULTS) - {"meshes"}
     if unknown:
         raise ValueError(f"There is no option {', '.join(sorted(unknown))}.")
     chosen = {**DEFAULTS, **config}
     for name in ("facets", "time_limit", "memory_limit", "batch"):
         chosen[name] = int(chosen[name])
-        if chosen[name] < (0 if name == "facets" else 1):
-            raise ValueError(f"{name} must be a positive integer.")
+        least = 0 if name == "facets" else 1
+        if chosen[name] < least:
+            raise ValueError(f"{name} must be at least {least}.")
     chosen["pictures"] = str(chosen["pictures"]).lower() in ("true", "1", "yes")
     return chosen
 

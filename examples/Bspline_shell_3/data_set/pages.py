@@ -23,10 +23,10 @@ BLUE, RED, SOFT = "#336bd9", "#d94033", "#5b6472"
 # columns: key, title, format, description
 COLUMNS = (
     ("kind", "Kind", str, "mesh of the shell: closed, truncated at singular vertices, virtually closed (an open mesh), or a proxy of a polygon soup"),
-    ("facets", "Facets", "{:,}", "facets of the mesh or the proxy"),
-    ("simplified_facets", "Simplified", "{:,}", "facets of the simplified mesh"),
+    ("facets", "Facets", "{:,}", "number of facets of the mesh or the proxy"),
+    ("simplified_facets", "Simplified", "{:,}", "number of facets of the simplified mesh"),
     ("thickness", "Thickness", "{:.2f} %", "thickness of the shell, in percent of the longest side of the bounding box"),
-    ("cells", "Cells", "{:,}", "cells of the field that defines the shell"),
+    ("cells", "Cells", "{:,}", "number of cells of the field that defines the shell"),
     ("round_trip", "Round trip", "{:.1e}",
      "largest distance of a point from its start after a round trip to the simplified mesh, relative to the longest side of the bounding box"),
     ("seconds", "Time", "{:.1f} s", "time without drawing the picture"),
@@ -156,7 +156,7 @@ def obstacles(report):
     rows = "\n".join(f"<tr><td>{' '.join(f'{x:.6g}' for x in place['point'])}</td><td>{escape(place['message'])}</td></tr>" for place in places)
     limit = f"<p>{escape(report['limit'])}</p>\n" if "limit" in report else ""
     return f"""<section><h2>Where the proof fails</h2>
-{limit}<table class="places"><thead><tr><th scope="col">Point</th><th scope="col">Reason</th></tr></thead>
+{limit}<table class="places"><thead><tr><th scope="col">Point</th><th scope="col">Obstacle</th></tr></thead>
 <tbody>
 {rows}
 </tbody></table></section>"""
@@ -181,7 +181,7 @@ def write_mesh_page(folder, record, line, before, after):
     table = "\n".join(f"<tr><th scope=\"row\">{escape(what)}</th><td>{escape(value)}</td></tr>" for what, value in facts if value)
     picture = "<figure><a href=\"picture.png\"><img src=\"picture.png\" alt=\"\"></a></figure>" if record.get("picture") else ""
     if record.get("picture") is False:
-        picture = "<p class=\"failure\">The picture could not be drawn; see <a href=\"log.txt\">log.txt</a>.</p>"
+        picture = "<p class=\"failure\">The picture could not be drawn: see <a href=\"log.txt\">log.txt</a>.</p>"
     reason = f"<p class=\"failure\">{escape(record['reason'])}</p>" if record["reason"] else ""
     files = " ".join(f"<a href=\"{quote(file.name)}\">{escape(file.name)}</a>" for file in sorted(folder.iterdir())
                      if file.name not in ("index.html", "thumbnail.png", "running"))
@@ -198,13 +198,13 @@ def write_index(records, rows):
     lost, points = sum(r["points_lost"] or 0 for r in rows), sum(r["points"] or 0 for r in rows)
     of_kinds = "".join(f"; {n:,} {kind}" for kind, n in kinds.most_common())
     facts = [(f"{len(done):,} of {len(rows):,}", f"meshes have a certified shell and are simplified in it{of_kinds}"),
-             (f"{len(rows) - len(done):,}", "without a result; the pages of these meshes give reasons and places"),
+             (f"{len(rows) - len(done):,}", "meshes without a result; their pages give the reason"),
              (f"{lost:,} of {points:,}", "points lost on the round trip to the simplified mesh"),
              (f"{hours:.1f} h" if hours >= 1 else f"{60 * hours:.1f} min", "of processing time, without pictures")]
     cards = "\n".join(f"<div class=\"card\"><strong>{number}</strong><span>{escape(what)}</span></div>" for number, what in facts)
     plots = "\n".join(f"<figure>{svg}</figure>" for svg in (
-        histogram(rows, "seconds", "Time, seconds"), histogram(done, "cells", "Cells"),
-        histogram(done, "thickness", "Thickness, % of the box size"), refusals(rows)) if svg)
+        histogram(rows, "seconds", "Time (seconds)"), histogram(done, "cells", "Cells"),
+        histogram(done, "thickness", "Thickness (% of the box size)"), refusals(rows)) if svg)
     heads = "".join(f"<th scope=\"col\" title=\"{escape(what)}\"><button>{title}</button></th>" for _, title, _, what in COLUMNS)
     lines = []
     for record, r in zip(records, rows):
@@ -218,7 +218,7 @@ def write_index(records, rows):
                      f"<td data-value=\"{escape(r['outcome'])}\" title=\"{escape(r['reason'])}\">{badge(record)}</td>{cells}</tr>")
     script = (HERE / "table.js").read_text(encoding="utf-8")
     rows_of_table = "\n".join(lines)
-    lead = f"{len(rows):,} meshes, each with its certified shell, the mesh simplified in it, and a picture, or the reason for a failure."
+    lead = f"{len(rows):,} meshes. For each: the certified shell, the simplified mesh, and a picture, or the reason why there is no result."
     page("index.html", "Data set", f"""<p class="lead">{lead}</p>
 <p class="links"><a href="table.csv">table.csv</a></p>""", f"""<nav>
 {cards}

@@ -130,13 +130,13 @@ def outcome(code, over, log, file, options):
     """Returns the outcome in two or three words, which are counted, and in a sentence without the file name."""
     said = re.sub(rf"^{re.escape(str(file))}(, line \d+)?: ", "", first_line(log))
     if over:
-        return "time limit", f"The program was terminated after {options['time_limit']} s."
+        return "time limit", f"The program was stopped at the time limit of {options['time_limit']} s."
     if said.startswith("The time limit was reached"):
         return "time limit", said
     if "std::bad_alloc" in log.read_text(encoding="utf-8", errors="replace"):
-        return "memory limit", f"The program needs more than {options['memory_limit']} MB."
+        return "memory limit", f"The program needs more than the memory limit of {options['memory_limit']} MB."
     if code < 0:
-        return "crashed", f"The program was terminated by {signal.Signals(-code).name}. {said}".strip()
+        return "crashed", f"The program ended with {signal.Signals(-code).name}. {said}".strip()
     if code in (0, 4, 7):
         return "done", {0: "", 4: "A bounding surface could not be extracted.", 7: said}[code]
     return OUTCOMES.get(code, "refused" if code > 10 else "crashed"), said or f"The program ended with exit code {code}."
@@ -168,7 +168,7 @@ def make(name, file, options, folder, draw):
     record = {"name": name, "file": str(file), "made_from": made_from, "made_with": made_with}
     try:
         if deaths >= ATTEMPTS:
-            record |= {"outcome": "killed", "reason": "The job died twice while processing this mesh.", "exit": None}
+            record |= {"outcome": "killed", "reason": "The job died twice while it processed this mesh.", "exit": None}
         else:
             command = [options["program"], str(file), "--output", str(prefix), "--threads", "1", "--time-limit", str(0.8 * options["time_limit"]),
                        "--memory-limit", str(options["memory_limit"] / 1.5)]

@@ -23,7 +23,7 @@ def make_shells(making):
     for name, view in views.items():
         output = making.run("simplify_and_transfer", MESHES / f"{name}.off", "--output", making.folder / name)
         facets, = parsed(r"mesh +(\d+) facets", output)
-        state, width, cells, seconds = parsed(r"shell +(\w+); (\S+) % of the box thick; (\d+) cells; (\S+) s", output)
+        state, width, cells, seconds = parsed(r"shell +(\w+); thickness (\S+) % of the bounding box; (\d+) cells; (\S+) s", output)
         certified += state == "certified"
         times.append(float(seconds))
         lines.append(f"{name}: {percent(width)}, {count(cells)} cells, {times[-1]:.1f} s")
@@ -61,7 +61,7 @@ def make_simplification(making):
           lines(lambda mesh, plain, ours: f"{ours['self_intersections']} pairs; {'certified' if ours['certified'] else 'not certified'}")),
          ("Hausdorff distance, relative to the box size: plain → in the shell", NOT_GIVEN,
           lines(lambda mesh, plain, ours: f"{percent(100 * plain['hausdorff'])} → {percent(100 * ours['hausdorff'])}")),
-         ("Seconds: plain → in the shell, proof included", NOT_GIVEN,
+         ("Time in seconds: plain → in the shell, with the proof", NOT_GIVEN,
           lines(lambda mesh, plain, ours: f"{plain['seconds']:.2g} → {ours['seconds']['total']:.2g}"))])
 
 
@@ -75,8 +75,8 @@ def make_geodesics(making):
     directly, by_proxy, means = [], [], []
     for name, (edges, source, direction, up) in meshes.items():
         output = making.run("heat_geodesics", MESHES / f"{name}.off", edges, source, folder=name)
-        for where, lines in (("on the mesh itself", directly), ("on a proxy, and back", by_proxy)):
-            mean, most = parsed(rf"{where}: +(\S+) % off in the mean, (\S+) % at most", output)
+        for where, lines in (("on the mesh itself", directly), ("on the proxy, transferred back", by_proxy)):
+            mean, most = parsed(rf"{where}: mean error (\S+) %, maximum error (\S+) %", output)
             lines.append(f"{name}: {percent(mean)} ({percent(most)})")
             means.append(percent(mean))
         making.draw("draw_geodesics.draw_geodesics", making.folder / name / "heat_geodesics", direction, up, f"{name}.png")
@@ -93,9 +93,9 @@ def make_geodesics(making):
 def make_elasticity(making):
     mesh = MESHES / "anchor.off"
     output = making.run("elastic_proxy", mesh, 25)
-    facets, of_proxy, tetrahedra = parsed(r"(\d+) facets, (\d+) of the proxy, all of them facets of (\d+) tetrahedra", output)
-    iterations, steps, least = parsed(r"(\d+) iterations in (\d+) load steps; least J: (\S+)", output)
-    moved, = parsed(r"displacements: up to (\S+) of", output)
+    facets, of_proxy, tetrahedra = parsed(r"mesh: (\d+) facets; proxy: (\d+) facets, the border of (\d+) tetrahedra", output)
+    iterations, steps, least = parsed(r"(\d+) iterations in (\d+) load steps; smallest Jacobian determinant: (\S+)", output)
+    moved, = parsed(r"maximum displacement: (\S+) of", output)
     making.draw("draw_elasticity.draw_elasticity", mesh, making.folder, "bent.png")
     return Results(
         (count(tetrahedra), "tetrahedra in a solid whose surface triangles are needles"),
@@ -111,9 +111,9 @@ def make_elasticity(making):
 
 def make_booleans(making):
     output = making.run("boolean_colors", MESHES / "bear.off")
-    before, after = parsed(r"(\d+) facets before, (\d+) now", output)
-    curve_before, curve = parsed(r"edges of the curve: (\d+) before, (\d+) now", output)
-    others, = parsed(r"(\d+) facets have most of their image on the other solid", output)
+    before, after = parsed(r"facets: (\d+) before, (\d+) after", output)
+    curve_before, curve = parsed(r"edges of the intersection curve: (\d+) before, (\d+) after", output)
+    others, = parsed(r"facets with most of their image on the other solid: (\d+)", output)
     making.draw("draw_colors.draw_boolean", making.folder / "boolean", (0.4, 0.3, 1), (0, 1, 0), "union.png")
     return Results(
         (f"{count(before)} → {count(after)}", "facets of a union that keeps its colors"),
@@ -141,8 +141,9 @@ def make_closest_point(making):
 def make_self_intersections(making):
     output = making.run("soup_proxy", "figure")
     polygons, facets, carried, continued, hidden = parsed(
-        r"(\d+) polygons, (\d+) facets around them; (\S+) % of the area is carried, (\S+) % continued, (\S+) % hidden", output)
-    simplified, = parsed(r"(\d+) facets after simplification", output)
+        r"polygons: (\d+); facets of the proxy: (\d+)\n"
+        r"area: (\S+) % carried along curves, (\S+) % continued to the nearest point, (\S+) % hidden", output)
+    simplified, = parsed(r"facets after simplification: (\d+)", output)
     parts, texture = parsed(r"; (\d+) without a part, (\d+) without texture", output)
     making.run("figure_data", "soup", making.folder / "figure")
     making.draw("draw_textures.draw_soup", making.folder / "figure", "figure.png")
@@ -172,11 +173,11 @@ def make_fields(making):
         folder = f"{name}_{directions}"
         output = making.run("transfer_direction_field", MESHES / f"{name}.off", directions, number, folder=folder)
         kind = f"{name}, {'vectors' if directions == 1 else 'crosses'}"
-        facets.append("{}: {} → {}".format(kind, *map(count, parsed(r"facets: (\d+) before, (\d+) now", output))))
-        before, after, same = parsed(r"singularities: (\d+) before, (\d+) now; (\d+) of them at their images", output)
+        facets.append("{}: {} → {}".format(kind, *map(count, parsed(r"facets: (\d+) before, (\d+) after", output))))
+        before, after, same = parsed(r"singularities: (\d+) before, (\d+) after; (\d+) of them at their images", output)
         singularities.append(f"{kind}: {before} → {after}, {same} of them at their images")
-        sums.append("{}: {} → {}".format(kind, *parsed(r"sum of indices: (\S+) before, (\S+) now", output)))
-        angle, = parsed(r"there and back: (\S+) degrees", output)
+        sums.append("{}: {} → {}".format(kind, *parsed(r"sum of indices: (\S+) before, (\S+) after", output)))
+        angle, = parsed(r"mean error after the round trip: (\S+) degrees", output)
         angles.append(f"{kind}: {float(angle):.1f}°")
         if view:
             found.append(f"{same} of {before}")

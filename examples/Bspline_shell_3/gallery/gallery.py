@@ -18,7 +18,7 @@ from paths import RESULTS
 def chosen(names):
     unknown = set(names) - {f.name for f in FIGURES}
     if unknown:
-        sys.exit(f"There is no figure {', '.join(sorted(unknown))}. The figures are: {' '.join(f.name for f in FIGURES)}")
+        sys.exit(f"There is no figure {', '.join(sorted(unknown))}. Choose from: {' '.join(f.name for f in FIGURES)}")
     return [f for f in FIGURES if not names or f.name in names]
 
 

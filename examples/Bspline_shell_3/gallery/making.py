@@ -19,7 +19,7 @@ class Failure(Exception):
 
 def last_line(done):
     """Returns the last line of the output of a process."""
-    return (done.stderr.strip() or done.stdout.strip() or f"Exit code {done.returncode}.").splitlines()[-1]
+    return (done.stderr.strip() or done.stdout.strip() or f"The program ended with exit code {done.returncode}.").splitlines()[-1]
 
 
 class Making:
@@ -34,7 +34,7 @@ class Making:
     def run(self, program, *arguments, folder="."):
         """Runs a program, in a separate folder if one is given, and returns its output."""
         if not (BUILD / program).exists():
-            raise Failure(f"{program} was not built; see {BUILD.relative_to(ROOT)}/build.log.")
+            raise Failure(f"{program} was not built: see {BUILD.relative_to(ROOT)}/build.log.")
         return self._run([BUILD / program, *arguments], folder)
 
     def script(self, path, *arguments):
@@ -100,7 +100,7 @@ def make(figure):
         results = figure.make(making)
     except Exception as error:      # an error must not affect other figures
         sentence = str(error) if isinstance(error, Failure) else f"{type(error).__name__}: {error}"
-        print(f"{'' if making.step else figure.name + ': '}failed. {sentence}", flush=True)
+        print(f"{'' if making.step else figure.name + ': '}failed: {sentence}", flush=True)
         write(making.folder / "failure.txt", sentence)
         return False
     write(making.folder / "figure.json", json.dumps({**results._asdict(), "commands": making.commands, "seconds": time.monotonic() - start}))

@@ -20,7 +20,7 @@ def read(figure):
     if not unfinished.exists():
         return None
     failure = unfinished / "failure.txt"
-    return {"failure": failure.read_text(encoding="utf-8") if failure.exists() else "It is incomplete."}
+    return {"failure": failure.read_text(encoding="utf-8") if failure.exists() else "The run was interrupted."}
 
 
 def link(path):
@@ -77,7 +77,7 @@ def write_page():
     cards = "\n".join(card(figure, results) for figure, results in shown if "failure" not in results)
     sections = "\n\n".join(section(figure, results) for figure, results in shown)
     missing = " ".join(figure.name for figure, results in found if results is None)
-    more = f"<p>Not generated yet: <code>bash examples/gallery.sh {missing}</code></p>" if missing else ""
+    more = f"<p>Some figures are missing: run <code>bash examples/gallery.sh {missing}</code></p>" if missing else ""
     minutes = sum(results.get("seconds", 0) for _, results in shown) / 60
     with open(f"{HERE}/page.css", encoding="utf-8") as style:
         css = style.read()

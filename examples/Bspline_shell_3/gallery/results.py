@@ -14,7 +14,7 @@ NOT_GIVEN = "not given"
 def parsed(pattern, text):
     found = re.search(pattern, text)
     if not found:
-        raise Failure(f"The output of a program has changed: there is no “{pattern}” in it.")
+        raise Failure(f"The output of a program has changed: it does not match “{pattern}”.")
     return found.groups()
 
 

@@ -39,7 +39,7 @@ def make_gamma(making):
          ("sections.png", "Cross sections, with two toes enlarged, colored by f. White areas contain no cells.")],
         [("Largest |f| on the mesh", "0.19\u202f% at γ = 130, on a model of Thingi10K", lines(lambda shell: percent(100 * shell["largest_value"]))),
          ("Thickness, relative to the box size", NOT_GIVEN, lines(lambda shell: percent(100 * shell["thickness"]))),
-         ("Cells; seconds", NOT_GIVEN, lines(lambda shell: f"{count(shell['cells'])}; {shell['seconds']:.1f} s")),
+         ("Cells; time", NOT_GIVEN, lines(lambda shell: f"{count(shell['cells'])}; {shell['seconds']:.1f} s")),
          ("One-to-one", NOT_GIVEN, lines(verdict))])
 
 
@@ -63,13 +63,13 @@ def make_gamma_impact(making):
     return Results(
         (f"{certified(finest)} → {certified(ours)} of {len(names)}",
          f"meshes whose map is proved to be one-to-one: equal cells at γ = {gammas[-1]} → refined cells"),
-        [("impact.png", f"Seconds, thickness, and proofs for {len(names)} meshes. Times with refined cells include the proof; those with equal "
+        [("impact.png", f"Time, thickness, and proofs for {len(names)} meshes. Times with refined cells include the proof; those with equal "
                         "cells do not. Refined cells give the requested thickness; equal cells give thin shells for smooth meshes, and "
                         "thick ones for others.")],
-        [("Seconds, mean", "plotted, as means over 100 models", lines(lambda shells: f"{mean('seconds')(shells):.2g} s")),
-         ("Thickness, relative to the box size, mean", "plotted", lines(lambda shells: percent(100 * mean("thickness")(shells)))),
+        [("Mean time", "plotted, as means over 100 models", lines(lambda shells: f"{mean('seconds')(shells):.2g} s")),
+         ("Mean thickness, relative to the box size", "plotted", lines(lambda shells: percent(100 * mean("thickness")(shells)))),
          ("Samples in the shell", "100K points on each model: all, on 499 of 500 models",
-          lines(lambda shells: f"all on {sum(shell['contained'] == 1 for shell in shells)} of {len(shells)}")),
+          lines(lambda shells: f"all samples for {sum(shell['contained'] == 1 for shell in shells)} of {len(shells)} meshes")),
          ("Proved to be one-to-one", NOT_GIVEN, lines(lambda shells: f"{certified(shells)} of {len(shells)}"))])
 
 
@@ -95,7 +95,7 @@ def make_mu(making):
           lines(lambda shell: of_points(sum(shell["distances"]["errors"]), shell))),
          ("Points without a distance: without an image, or with one next to a vertex without a distance", NOT_GIVEN,
           lines(lambda shell: of_points(shell["distances"]["missing"], shell))),
-         ("Points lost on the round trip; points with a round-trip error of more than 0.1\u202f% of the box size", NOT_GIVEN,
+         ("Points lost on the round trip; points with an error of more than 0.1\u202f% of the box size", NOT_GIVEN,
           lines(lambda shell: f"{of_points(shell['round_trip']['lost'], shell)}; "
                               f"{of_points(shell['round_trip']['0.03'] + shell['round_trip']['more'], shell)}")),
          ("Points where the gradient points to the wrong side of the facet", "“local gradient directions deviate”, if μ is small",

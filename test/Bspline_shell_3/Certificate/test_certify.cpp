@@ -101,7 +101,7 @@ TEST_CASE("certify: a shell read from a file gets its previous certificate, cove
     const auto certificate = BS::certify(shell, two_spheres());
     CHECK(certificate);
     REQUIRE(shell.is_certified());
-    CHECK(shell.message() == "There is a certified shell.");
+    CHECK(shell.message() == "The shell is certified.");
     const BS::Certificate_report &before = two_shells().report().certificate, &after = shell.report().certificate;
     CHECK(after.components == before.components);
     CHECK(after.least_gradient == before.least_gradient);
@@ -257,7 +257,7 @@ TEST_CASE("certify: a uniform shell is certified by its own mesh, but not by an 
   CHECK(BS::certify(shell, turned).verdict(BS::Claim::TRANSVERSALITY) == Verdict::REFUTED);
   CHECK_FALSE(shell.is_certified());
   REQUIRE(BS::certify(shell, mesh));
-  CHECK(shell.message() == "There is a certified shell.");
+  CHECK(shell.message() == "The shell is certified.");
   CHECK(shell.is_certified());
   CHECK_FALSE(BS::certify(shell, turned));
   CHECK(shell.is_certified());

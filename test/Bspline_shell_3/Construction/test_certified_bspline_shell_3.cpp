@@ -295,16 +295,19 @@ TEST_CASE("Certified shells: each limit of refinement has a message")
   BS::Refinement_limit limit = { BS::Refinement_resource::NONE, 1200, 4.2e9 };
   CHECK(message(limit).empty());
   limit.resource = BS::Refinement_resource::MEMORY;
-  CHECK(
-    message(limit)
-    == "Another round of refinement would have 1200 cells, and take about 4200 MB: that is beyond the memory limit.");
+  CHECK(message(limit)
+        == "Another round of refinement would have 1200 cells and need about 4200 MB, which exceeds the memory limit: "
+           "raise it (memory_limit).");
   limit.resource = BS::Refinement_resource::NUMBERS;
-  CHECK(message(limit) == "Another round of refinement would have 1200 cells, and more unknowns than can be numbered.");
+  CHECK(message(limit)
+        == "Another round of refinement would have 1200 cells and more unknowns than can be numbered: request a "
+           "thicker shell.");
   limit.resource = BS::Refinement_resource::EFFORT;
   CHECK(message(limit)
-        == "Another round of refinement would have 1200 cells, and all rounds together more than the effort limit.");
+        == "Another round of refinement would have 1200 cells, and all rounds together would exceed the effort limit: "
+           "raise it (effort_limit).");
   limit.resource = BS::Refinement_resource::ROUNDS;
-  CHECK(message(limit) == "There were as many rounds of refinement as are allowed.");
+  CHECK(message(limit) == "The maximum number of refinement rounds was reached.");
 }
 
 TEST_CASE("Certified shells: constant thresholds are two levels, closer than the requested thickness")

@@ -14,7 +14,7 @@ PATH=$PATH:/usr/sbin
 for command in slurmctld slurmd sbatch munged snakemake; do
   command -v "$command" >/dev/null || skip "$command is not installed."
 done
-[ "$(id -u)" -eq 0 ] || skip "Slurm's daemons are started by root."
+[ "$(id -u)" -eq 0 ] || skip "starting Slurm's daemons requires root permissions."
 ! pgrep -x 'slurmctld|slurmd' >/dev/null || skip "Slurm is already running on this machine."
 
 work=$(mktemp -d)
@@ -84,7 +84,7 @@ snakemake --snakefile "$here/../Snakefile" --profile "$here" --directory "$work/
           --config meshes="$work/list" program="$program" batch=2 memory_limit=1500 time_limit=120 pictures="${PICTURES-false}" ||
   { tail -n 20 "$work"/*.log "$work"/results/.snakemake/slurm/*; exit 1; }
 jobs=$(find "$work/results/.snakemake/slurm" -name '*.log' | wc -l)
-[ "$jobs" -eq $((($# + 1) / 2)) ] || { echo "$jobs jobs of Slurm for $# meshes, two at a time." >&2; exit 1; }
+[ "$jobs" -eq $((($# + 1) / 2)) ] || { echo "Slurm ran $jobs jobs for $# meshes in batches of two." >&2; exit 1; }
 [ "$(wc -l <"$work/results/table.csv")" -eq $(($# + 1)) ] || { cat "$work/results/table.csv"; exit 1; }
-echo "$# meshes, $jobs jobs of Slurm, $((SECONDS - start)) s:"
+echo "$# meshes, $jobs Slurm jobs, $((SECONDS - start)) s:"
 cut -d, -f1-6 "$work/results/table.csv"

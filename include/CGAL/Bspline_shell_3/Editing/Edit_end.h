@@ -28,14 +28,16 @@ enum class Edit_end
 inline const char* message(Edit_end end)
 {
   switch(end) {
-    case Edit_end::NOT_EDITED: return "The mesh was not edited.";
-    case Edit_end::TARGET: return "All edges have about the length asked for.";
+    case Edit_end::NOT_EDITED: return "The mesh was not edited: see the status for the reason.";
+    case Edit_end::TARGET: return "All edges have about the target length.";
     case Edit_end::STOP_PREDICATE: return "The stop predicate ended the edit.";
     case Edit_end::VISITOR: return "The visitor ended the edit.";
-    case Edit_end::SHELL: return "The shell rejects what would lead further: ask for a thicker shell.";
-    case Edit_end::FILTER: return "The filter allows no more.";
-    case Edit_end::MESH: return "The connectivity of the mesh, its constraints or frozen facets allow no more.";
-    case Edit_end::ITERATIONS: return "All iterations were done: more of them may lead further.";
+    case Edit_end::SHELL: return "The shell rejects operations that would make progress: request a thicker shell.";
+    case Edit_end::FILTER: return "The filter rejects operations that would make progress: relax the filter.";
+    case Edit_end::MESH:
+      return "The connectivity of the mesh, its constraints or frozen facets prevent further operations.";
+    case Edit_end::ITERATIONS:
+      return "All iterations were done: more iterations may make progress (number_of_iterations).";
   }
   return "";
 }

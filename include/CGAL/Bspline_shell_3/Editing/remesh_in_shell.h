@@ -161,7 +161,7 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
 
   typedef typename GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
   static_assert(std::is_same<typename Geom_traits::FT, double>::value,
-                "The coordinates must be doubles: others would be rounded.");
+                "The coordinates must be of type double: other types would be rounded.");
   typedef typename GetVertexPointMap<TriangleMesh, CGAL_NP_CLASS>::type Vertex_point_map;
   typedef typename boost::property_traits<Vertex_point_map>::value_type Point; // the mesh's
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;

@@ -164,7 +164,7 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
 
   typedef typename GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
   static_assert(std::is_same<typename Geom_traits::FT, double>::value,
-                "The coordinates must be doubles: others would be rounded.");
+                "The coordinates must be of type double: other types would be rounded.");
   typedef typename GetVertexPointMap<TriangleMesh, CGAL_NP_CLASS>::type Vertex_point_map;
   typedef Edit_status Status;
 
@@ -247,7 +247,8 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
       };
       constexpr bool has_cost = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_cost_policy_t>::value;
       constexpr bool has_placement = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_placement_policy_t>::value;
-      static_assert(has_cost == has_placement, "Cost and placement belong together: give both, or none.");
+      static_assert(has_cost == has_placement,
+                    "Cost and placement belong together: pass both get_cost and get_placement, or neither.");
       if constexpr(has_cost) {
         collapse(get_parameter_reference(np, internal_np::get_cost_policy),
                  get_parameter_reference(np, internal_np::get_placement_policy));

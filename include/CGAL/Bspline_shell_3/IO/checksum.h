@@ -30,7 +30,7 @@ using Bits_of =
 template <typename T>
 std::array<char, sizeof(T)> to_little_endian(T x)
 {
-  static_assert(sizeof(Bits_of<T>) == sizeof(T), "T must have 1, 4 or 8 bytes");
+  static_assert(sizeof(Bits_of<T>) == sizeof(T), "T must have 1, 4 or 8 bytes.");
   Bits_of<T> bits;
   std::memcpy(&bits, &x, sizeof(T));
   std::array<char, sizeof(T)> bytes;
@@ -42,7 +42,7 @@ template <typename T>
 T from_little_endian(const char* bytes)
 {
   typedef Bits_of<T> Bits;
-  static_assert(sizeof(Bits) == sizeof(T), "T must have 1, 4 or 8 bytes");
+  static_assert(sizeof(Bits) == sizeof(T), "T must have 1, 4 or 8 bytes.");
   Bits bits = 0;
   for(std::size_t n = 0; n < sizeof(T); ++n)
     bits = Bits(bits | (Bits(static_cast<unsigned char>(bytes[n])) << (8 * n)));

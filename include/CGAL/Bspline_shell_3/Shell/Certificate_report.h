@@ -158,7 +158,7 @@ inline std::string place(const Certificate_witness& witness)
   out << witness.point[0] << " " << witness.point[1] << " " << witness.point[2];
   if(witness.facet == Certificate_witness::none) return out.str();
   if(witness.part == Surface_part::MESH) out << ", facet " << witness.facet;
-  else out << ", on a " << name(witness.part) << ", not on a facet of the mesh";
+  else out << ", on a " << name(witness.part);
   return out.str();
 }
 

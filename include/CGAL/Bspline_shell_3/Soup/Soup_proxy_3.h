@@ -56,13 +56,13 @@ public:
   /// The rejected parameter if the status is `INVALID_PARAMETER`.
   const Invalid_parameter& invalid_parameter() const { return m_invalid_parameter; }
   bool is_certified() const { return m_shell.is_certified(); }
-  /// Returns the outcome in one sentence.
+  /// Returns the outcome in one or two sentences.
   std::string message() const
   {
     if(!*this) return Bspline_shells::message(m_status, m_invalid_parameter);
-    return is_certified() && m_report.is_thicker_than_asked
-             ? "All claims are proved of the shell of a proxy; it is thicker than asked, to reach the polygons."
-             : m_shell.message();
+    return is_certified() && m_report.is_thicker_than_asked ? "All claims are proved for the shell of the proxy, which "
+                                                              "is thicker than requested to reach the polygons."
+                                                            : m_shell.message();
   }
 
   const Soup_mesh_3& soup() const { return m_soup; }

@@ -140,7 +140,7 @@ inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const
         "vertices", offenders.vertices)("near_duplicates", result.near_duplicates);
       if(!result.proxy && result.proxy_status != Shell_status::NOT_BUILT)
         object("no_proxy")("message", result.proxy_status == Shell_status::SUCCESS
-                                        ? "Its shell is not certified."
+                                        ? "The shell of the proxy is not certified."
                                         : message(result.proxy_status, result.invalid_parameter));
     }
     if(result.proxy) {
