@@ -1,5 +1,5 @@
-// The load case of elastic_proxy.cpp: facets at one end of the longest axis of the mesh are held, and facets at the
-// other end are moved as if the mesh were bent to a circular arc.
+// The load case of elastic_proxy.cpp: facets at one end of the longest axis of the mesh are held. Facets at the other
+// end are moved as if the mesh were bent to a circular arc.
 #ifndef BEND_ENDS_H
 #define BEND_ENDS_H
 

@@ -1,6 +1,6 @@
 // Computes the union, intersection, or difference of two solids, and simplifies it in its shell. Each facet keeps the
-// color of its solid. Edges of the intersection curve are collapsed along the curve, which moves by at most 1/1000 of
-// the longest side of the bounding box, and still separates the colors.
+// color of its solid. Edges of the intersection curve are collapsed along the curve. The curve moves by at most 1/1000
+// of the longest side of the bounding box, and still separates the colors.
 #include "curve_filter.h"
 #include "example_files.h"
 #include "operand_labels.h"

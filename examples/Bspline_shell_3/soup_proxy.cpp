@@ -1,6 +1,6 @@
 // Builds a proxy of polygons that intersect, have gaps, or are inconsistently oriented, with a certified shell.
-// Simplifies the proxy in the shell, transfers the part numbers and texture coordinates of the polygons to it, and
-// transfers a scalar from the proxy back to the polygons.
+// Simplifies the proxy in the shell. Transfers the part numbers and texture coordinates of the polygons to the proxy,
+// and a scalar from the proxy back to the polygons.
 #include "broken_models.h"
 #include "example_files.h"
 

@@ -120,9 +120,9 @@ std::vector<Point> curve(const BS::Gradient_flow_3<Shell>& flow, const Point& p,
   return points;
 }
 
-// Writes curves through the vertices of the mesh, and through the points where its edges meet the plane through the
-// middle of the bounding box that is perpendicular to the shortest side; and the points where the curves meet both
-// meshes.
+// Writes curves, and the points where they meet both meshes. The curves pass through the vertices of the mesh, and
+// through the points where its edges meet a plane: the one through the middle of the bounding box that is perpendicular
+// to the shortest side.
 void write_curves(const Mesh& mesh, const std::string& prefix, double thickness, std::size_t facets)
 {
   const Shell shell = certified_shell(mesh, thickness);
