@@ -93,7 +93,7 @@ def write_page():
 <body>
 <header>
 <h1>Cubic B-spline shells</h1>
-<p class="lead">A smooth shell around a triangle mesh, and a map from the mesh to other meshes in the shell that is proved to be one-to-one. Simplify
+<p class="lead">A smooth shell around a triangle mesh, and a map, proved to be one-to-one, from the mesh to other certified meshes in the shell. Simplify
 or remesh a mesh, or compute on a better one, and transfer attributes in both directions.</p>
 <p class="links"><a href="{link('README.md')}">README</a> <a href="{link('doc/Bspline_shell_3/Bspline_shell_3.txt')}">User manual</a>
 <a href="{link('doc/Bspline_shell_3/Measurements.txt')}">Measurements</a> <a href="{link('examples/Bspline_shell_3')}">Examples</a></p>
