@@ -84,23 +84,22 @@ void write_state(const std::string& prefix, const Shell& shell, double thickness
   require(failures.flush() && numbers.flush(), "A round cannot be written.");
 }
 
-// A memory limit between the needs of two rounds ends the construction after the first one. The need of a round is
-// estimated by 2000 bytes per cell and 5000 per lattice point, and there are at least as many lattice points as
-// unknowns.
+// A construction ends before the first round that is estimated to exceed the memory limit, and reports this estimate,
+// which is the limit for one more round. The first limit is the smallest one that is accepted for the root cells.
 void write_rounds(const Mesh& mesh, const std::string& prefix, double thickness)
 {
   const Shell shell = certified_shell(mesh, thickness);
-  const std::vector<BS::Refinement_round>& rounds = shell.report().rounds;
-  for(std::size_t n = 1; n < rounds.size(); ++n) {
-    const double growth = double(rounds[n].cells) / double(rounds[n - 1].cells);
-    const double limit = growth * (2000. * double(rounds[n - 1].cells) + 5000. * double(rounds[n - 1].unknowns)) - 1;
+  const std::size_t rounds = shell.report().rounds.size();
+  double limit = 1e4 * double(shell.report().surface_cells);
+  for(std::size_t n = 1; n < rounds; ++n) {
     const Shell state = CGAL::certified_bspline_shell_3(
       mesh, BS::parameters::relative_thickness(thickness).memory_limit(limit));
     require(bool(state), state.message());
     require(state.report().rounds.size() == n, "The memory limit does not end the construction after this round.");
     write_state(prefix + "_" + std::to_string(n), state, thickness);
+    limit = state.report().limit.bytes;
   }
-  write_state(prefix + "_" + std::to_string(rounds.size()), shell, thickness);
+  write_state(prefix + "_" + std::to_string(rounds), shell, thickness);
 }
 
 // Returns the part of the integral curve through a point that is in the shell. Consecutive points differ by `step` in
