@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Reproduces figures of the paper on CGAL's meshes, and writes a page with them: results/gallery/index.html (Debian 12).
+# Generates figures like those of the paper on other meshes, and a page: results/gallery/index.html (Debian 12).
 #   bash examples/gallery.sh [--again] [FIGURE...]
 # FIGURE: shells, gamma, gamma_impact, mu, simplification, geodesics, elasticity, booleans, fields, closest_point,
-# self_intersections; by default, all of them.
-# Installs missing packages and builds the programs. Complete figures are not computed again without --again, so an
+# self_intersections; default: all.
+# Installs missing packages and builds the programs. Complete figures are generated again only with --again, so an
 # interrupted run can be resumed.
-# If a figure fails, the page shows the reason, the other figures are computed, and the exit code is 1. If the usage is
-# wrong, it is 2.
+# If a figure fails, the page shows the reason, the other figures are generated, and the exit code is 1. After wrong
+# usage, it is 2.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . cmake/install_packages.sh

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Simplifies a mesh in its shell, transfers its attributes, and draws a picture (Debian 12):
+# Simplifies a mesh in its shell, transfers test colors and distances to the result, and draws a picture (Debian 12):
 #   bash examples/quickstart.sh [MESH] [FACETS]
-# Installs missing packages, builds, runs, and lists the results. MESH is OFF, OBJ, PLY or STL; it may be open, or not a
-# surface. By default, it is the elephant of the Debian package libcgal-demo. FACETS is the target number; by default,
-# as few as the shell allows.
+# Installs missing packages, builds and runs the program, and lists the results. MESH is an OFF, OBJ, PLY, or STL file;
+# it may be open, or a polygon soup, and its attributes are not read. Default: the elephant of the Debian package
+# libcgal-demo. FACETS is the target number of facets; default: as few as the shell allows.
 # The exit code is that of simplify_and_transfer; see its usage. If a run fails, results of an earlier run are kept.
 set -euo pipefail
 mesh=${1-} options=()
@@ -49,15 +49,15 @@ draw() {      # PREFIX
 if [[ $status != 0 && $status != 4 && $status != 7 ]]; then
   for prefix in "results/$name.failed" "results/$name"; do
     if [ "${prefix}_places.ply" -nt "$begin" ]; then
-      echo "${prefix}_places.ply contains the points where the proof fails; ${prefix}_mesh.ply is the mesh."
-      if draw "$prefix"; then echo "$prefix.png shows them."; fi
+      echo "${prefix}_places.ply contains the points where the proof fails; the mesh is ${prefix}_mesh.ply."
+      if draw "$prefix"; then echo "$prefix.png shows both."; fi
     fi
   done
   exit "$status"
 fi
 if draw "results/$name"; then
   picture="
-  results/$name.png              before, after, and a section: inner surface blue, meshes black and green, outer surface red"
+  results/$name.png              the mesh before and after, and a cross section of both meshes and the shell"
 else
   picture="
   (The picture could not be drawn: see $build/render.log.)"
@@ -65,12 +65,12 @@ else
 fi
 cat <<END
 Results:
-  results/${name}.json             report on the repairs, the proxy and the shell
-  results/${name}_simplified.json  numbers of facets, and errors of points after the round trip between both meshes
-  results/${name}_mesh.ply         the repaired mesh, or a proxy, with a color and a distance at each vertex
-  results/${name}_simplified.ply   the simplified mesh, with the transferred attributes
-  results/${name}_detail.ply       the same surface, subdivided, with the transferred color at each vertex
-  results/${name}_inner.ply        inner bounding surface of the shell
-  results/${name}_outer.ply        outer bounding surface$picture
+  results/${name}.json             report on the repairs of the file, the shell, and the reason for a proxy
+  results/${name}_simplified.json  numbers of facets, and the largest error of a round trip between the meshes
+  results/${name}_mesh.ply         the mesh, or a proxy of the polygons, with test colors and distances from a vertex
+  results/${name}_simplified.ply   the simplified mesh, with the transferred colors and distances
+  results/${name}_detail.ply       the simplified mesh, subdivided to show the transferred color of every point
+  results/${name}_inner.ply        the inner surface of the shell
+  results/${name}_outer.ply        the outer surface of the shell$picture
 END
 exit "$status"

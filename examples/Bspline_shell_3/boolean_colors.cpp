@@ -1,6 +1,6 @@
-// Computes the union, intersection or difference of two solids, and simplifies it in its shell. Each facet has the
-// color of the solid that it comes from, before and after. Edges of the intersection curve are collapsed along the
-// curve. The curve moves by at most 1/1000 of the box, and still separates the colors.
+// Computes the union, intersection, or difference of two solids, and simplifies it in its shell. Each facet keeps the
+// color of its solid. Edges of the intersection curve are collapsed along the curve. The curve moves by at most 1/1000
+// of the longest side of the bounding box, and still separates the colors.
 #include "curve_filter.h"
 #include "example_files.h"
 #include "operand_labels.h"
@@ -84,8 +84,8 @@ int main(int argc, char** argv)
             << " after; edges of the intersection curve: " << curve_edges << " before, " << result.constrained_edges
             << " after\n";
 
-  // Facets of the simplified mesh keep their labels, except new facets at truncated tips. These get the label of most
-  // of their image along the integral curves.
+  // Facets of the simplified mesh keep their labels, except new facets at truncated tips. These get the most frequent
+  // label of their image along the integral curves.
   const Labels coarse_labels = labels_of(coarse);
   const Labels carried = coarse.add_property_map<Mesh::Face_index, int>("f:carried", -1).first;
   const BS::Transfer_report report = BS::transfer_face_labels(BS::Shell_map_3<Shell, Mesh>(shell, mesh, coarse), labels,

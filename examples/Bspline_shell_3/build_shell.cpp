@@ -1,5 +1,5 @@
-// Builds the shell of a mesh on equal cells, as in the paper, and prints a table. Writes the two bounding surfaces, and
-// the mesh with f and a color at its vertices; render_shell.py draws them. The usage below lists the exit codes.
+// Builds the shell of a closed mesh on equal cells, and prints its properties. Writes the two bounding surfaces, and
+// the mesh with f and colors at its vertices; render_shell.py draws them. The usage below lists the exit codes.
 #include "example_output.h"
 
 #include <CGAL/bspline_shell_3.h>
@@ -29,7 +29,7 @@ const char* const usage =
   "  4   a bounding surface cannot be extracted; the other files are written\n"
   "  10 or more    there is no shell: 10 + the number of the status (Shell_status)\n";
 
-// Returns blue for negative values, white for zero, red for positive ones. The level farther from zero has the full
+// Maps negative values to blue, zero to white, and positive values to red. The threshold farther from zero has the full
 // color.
 CGAL::IO::Color color(double f, double inner, double outer)
 {

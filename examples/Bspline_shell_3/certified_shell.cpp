@@ -1,5 +1,6 @@
-// Builds a shell in which the map between meshes is proved to be one-to-one: cells are refined until the proof
-// succeeds. A second mesh in the shell, whose vertices are moved along the gradient, is certified for the same claims.
+// Builds a certified shell of a mesh, and prints its properties: cells are refined until the map between meshes in the
+// shell is proved to be one-to-one, or until a limit is reached. Then moves the vertices of the mesh along the
+// gradient, and verifies the moved mesh in the same shell.
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/certified_bspline_shell_3.h>
@@ -50,11 +51,11 @@ int main(int argc, char** argv)
   for(const BS::Certificate_witness& w : report.certificate.witnesses)
     std::cout << name(w.claim) << " is " << name(w.verdict) << " at " << place(w) << "\n";
 
-  // Another mesh: is it in the shell, does it face the right way, does every curve meet it once?
+  // Verify another mesh in the same shell.
   Mesh moved = mesh;
   for(Mesh::Vertex_index v : moved.vertices()) {
     const auto gradient = shell.field().gradient(moved.point(v));
-    moved.point(v) = moved.point(v) + shell.thickness() / 100 * *gradient;
+    if(gradient) moved.point(v) = moved.point(v) + shell.thickness() / 100 * *gradient;
   }
   BS::Shell_certificate_3<Shell::Field, Shell::Threshold> certificate(shell);
   std::cout << "The moved mesh is " << (certificate.verify(moved) ? "" : "not ") << "certified." << std::endl;

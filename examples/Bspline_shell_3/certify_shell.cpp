@@ -1,6 +1,6 @@
-// Checks whether the map of a shell is one-to-one. The certificate has a verdict for each claim, and witnesses where a
-// proof fails. The same object certifies other meshes in the shell. Single facets can be tested before a mesh is
-// changed.
+// Verifies the claims of the certificate for a mesh in a shell of equal cells. The certificate has a verdict for each
+// claim, and witnesses where a proof fails. The same object verifies other meshes in the shell. Single facets can be
+// tested before a mesh is changed.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/IO/write_certificate.h>
@@ -25,7 +25,7 @@ int main(int argc, char** argv)
   double resolution;
   const auto code = Arguments("Usage: certify_shell MESH RESOLUTION\n"
                               "  RESOLUTION: number of cells along the longest side of the bounding box\n"
-                              "  Writes certified.shell.txt and certified.certificate.txt.\n")
+                              "  Writes certified.shell.txt, certified.mesh.off, and certified.certificate.txt.\n")
                       .required(file)
                       .required(resolution)
                       .read(argc, argv);
@@ -58,10 +58,13 @@ int main(int argc, char** argv)
   std::cout << "After one vertex is moved by 1 % of the shell's thickness, the facet is " << (remains ? "" : "not ")
             << "in the shell." << std::endl;
 
-  // input of programs that check the proof
+  // Write the input of check_certificate, a program that checks the proof independently: the shell as text, the
+  // examined mesh with all digits, and the certificate, which identifies both by their checksums.
   const bool has_shell = BS::write_shell("certified.shell.txt", shell) == BS::Shell_file_status::SUCCESS;
+  const bool has_mesh = save("certified.mesh.off", certificate.examined_mesh());
   const bool has_certificate = BS::write_certificate("certified.certificate.txt", shell, certificate);
-  if(!is_written(has_shell, "certified.shell.txt") || !is_written(has_certificate, "certified.certificate.txt"))
+  if(!is_written(has_shell, "certified.shell.txt") || !has_mesh
+     || !is_written(has_certificate, "certified.certificate.txt"))
     return EXIT_FAILURE;
   return certificate ? EXIT_SUCCESS : 2;
 }

@@ -1,5 +1,5 @@
-// Collapses edges by CGAL's own function, with Lindstrom-Turk costs and placements. A filter keeps the mesh in its
-// shell, and the certificate confirms the result. The kernel may be any one with double coordinates.
+// Collapses edges with CGAL's edge_collapse(), by Lindstrom-Turk costs and placements. A filter keeps the mesh in its
+// shell, and the certificate verifies the result. Any kernel with double coordinates can be used.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>

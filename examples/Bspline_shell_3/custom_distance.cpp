@@ -1,4 +1,4 @@
-// Fits a shell to a custom signed distance, here the closed form for a sphere of radius r.
+// Builds a shell from a user-defined signed distance, here that of a sphere.
 #include <CGAL/bspline_shell_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

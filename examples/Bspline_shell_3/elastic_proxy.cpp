@@ -1,6 +1,7 @@
-// Bends a solid whose surface has bad triangles. A proxy with good triangles in the shell of the surface is filled with
-// tetrahedra and bent by nonlinear elasticity. The one-to-one map transfers the labels of held and moved facets to the
-// proxy, and the displacement back to all vertices of the surface. This example requires TetGen (AGPL) or Gmsh (GPL).
+// Bends a solid whose surface mesh has badly shaped triangles. The surface is remeshed in its shell, the remeshed solid
+// is filled with tetrahedra, and nonlinear elasticity is solved on them. The one-to-one map transfers labels of held
+// and moved facets to the remeshed mesh, and displacements back to all vertices of the surface. This example requires
+// TetGen (AGPL) or Gmsh (GPL).
 #include "Neo_hookean_solid.h"
 #include "bend_ends.h"
 #include "example_files.h"
@@ -101,7 +102,7 @@ int main(int argc, char** argv)
             << " load steps; smallest Jacobian determinant: " << result.least_jacobian << "\n";
   if(!result) return EXIT_FAILURE;
 
-  // Back to the surface: each vertex moves like its image on the proxy.
+  // Each vertex of the surface gets the displacement of its image on the remeshed mesh.
   Solid::Vectors u(3, mesh.number_of_vertices());
   for(Mesh::Vertex_index v : mesh.vertices()) {
     const auto image = map(v);

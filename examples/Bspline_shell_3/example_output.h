@@ -1,4 +1,4 @@
-// Shared by examples that write a shell: messages, progress, and results that are replaced together.
+// Shared by examples that write a shell: messages, progress, and files that are replaced together.
 #ifndef EXAMPLE_OUTPUT_H
 #define EXAMPLE_OUTPUT_H
 
@@ -44,7 +44,7 @@ enum Exit_code
   NO_SHELL = 10
 };
 
-// Prints the current step in one line of a terminal, and nothing to a pipe.
+// Shows the current step in one line of a terminal, and prints nothing if the output is redirected.
 struct Step_printer : BS::Default_shell_visitor
 {
   bool start_step(BS::Shell_step step)
@@ -72,8 +72,8 @@ inline int refuse(BS::Shell_status status, const std::string& message, const BS:
   return NO_SHELL + int(status);
 }
 
-// The files of a run: PREFIX and an ending. They are written under temporary names, and renamed together at the end. So
-// a failed run neither removes results of an earlier one, nor mixes with them.
+// The files of a run: PREFIX and an ending. They are written under temporary names, and renamed together at the end.
+// Thus, a failed run does not change the results of an earlier run.
 class Results
 {
 public:
@@ -109,7 +109,8 @@ public:
   std::string pending(const std::string& ending) const { return m_prefix + ".new" + ending; }
 
   // Renames the written files, and returns the exit code. After success, complete or partial, they replace all results
-  // of an earlier run. Otherwise, earlier results are kept, and the files are named PREFIX.failed.
+  // of an earlier run. After a failure, earlier results are kept, and the names of the files begin with PREFIX.failed;
+  // without earlier results, they begin with PREFIX.
   int finish(int code) const
   {
     const auto any_exists = [&](const std::string& prefix) {

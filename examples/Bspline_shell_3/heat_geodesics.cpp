@@ -1,5 +1,5 @@
-// Geodesic distances on a mesh with bad triangles: the heat method is solved on a proxy with good triangles in the
-// mesh's shell, and the distances are transferred back along the integral curves. The proxy keeps the source vertex.
+// Computes geodesic distances on a mesh with badly shaped triangles: the heat method is applied to the mesh remeshed in
+// its shell, and the distances are transferred back along the integral curves. Remeshing keeps the source vertex.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
@@ -62,7 +62,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
 
-  // the proxy: nearly equilateral triangles, the mesh's sharp edges, and the source
+  // Remesh with nearly equilateral triangles, and keep sharp edges and the source.
   Mesh proxy = mesh;
   auto sharp = proxy.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
   auto is_source = proxy.add_property_map<Mesh::Vertex_index, bool>("v:source", false).first;
@@ -77,7 +77,7 @@ int main(int argc, char** argv)
   }
   proxy.collect_garbage();
 
-  // distances on the proxy, transferred back to the mesh
+  // Compute distances on the remeshed mesh, and transfer them back.
   const Distance on_proxy = proxy.add_property_map<Mesh::Vertex_index, double>("v:distance").first,
                  distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first,
                  direct = mesh.add_property_map<Mesh::Vertex_index, double>("v:direct").first,

@@ -1,5 +1,5 @@
-// Simplifies an open mesh. Its shell is that of a closed mesh, whose caps and back sheets are not visible to the user.
-// The border does not change in any bit, and the map between the meshes is one-to-one.
+// Simplifies an open mesh. Its shell is built around the mesh and triangles that close it, which are not part of the
+// result. The border stays the same, bit for bit, and the map between the meshes is one-to-one.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>

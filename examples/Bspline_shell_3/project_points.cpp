@@ -1,5 +1,5 @@
-// Moves points from one mesh in a shell to another one, and back. The map between the meshes is one-to-one, so the
-// points return to their positions.
+// Maps points from one mesh in a shell to another one, and back. The map between the meshes is one-to-one, so the
+// points return to their positions up to numerical errors.
 #include "second_mesh.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
@@ -17,7 +17,7 @@ int main(int argc, char** argv)
   Shell shell;
   if(const auto code = begin_example(argc, argv, mesh, shell, moved)) return *code;
 
-  // Single use: points in space.
+  // Map points that are given by coordinates.
   std::vector<Kernel::Point_3> points;
   for(Mesh::Edge_index e : mesh.edges())
     points.push_back(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
@@ -31,7 +31,7 @@ int main(int argc, char** argv)
             << first.location.first << " with barycentric coordinates " << first.location.second[0] << " "
             << first.location.second[1] << " " << first.location.second[2] << ".\n";
 
-  // Repeated use: locations on the meshes.
+  // Map locations on the meshes. The map can be used repeatedly.
   const Map map(shell, mesh, moved);
   std::vector<Map::Target_location> locations;
   for(const auto& image : images) {

@@ -1,6 +1,5 @@
-// Remeshes a mesh in its shell to edges of similar length, keeps its sharp edges, and transfers a function at its
-// vertices to the result. Two properties are proved: the result does not intersect itself, and the map between both
-// meshes is one-to-one.
+// Remeshes a mesh in its shell to edges of similar length, keeps sharp edges, and transfers a vertex attribute to the
+// result. It is proved that the result does not intersect itself, and that the map between the meshes is one-to-one.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
@@ -41,9 +40,9 @@ int main(int argc, char** argv)
     std::cerr << shell.message() << std::endl;
     return EXIT_FAILURE;
   }
-  const double unit = shell.report().unit; // the longest side of the box
+  const double unit = shell.report().unit; // the longest side of the bounding box
 
-  // a function on the initial mesh
+  // a vertex attribute of the initial mesh
   Mesh before = mesh;
   auto wave = before.add_property_map<Mesh::Vertex_index, double>("v:wave").first;
   for(Mesh::Vertex_index v : before.vertices()) wave[v] = std::sin(20 * before.point(v).x() / unit);
@@ -59,7 +58,7 @@ int main(int argc, char** argv)
             << " rejected\nseconds: " << report.edit_seconds << " for the operations, " << report.certificate_seconds
             << " for the certificate\n";
 
-  // to the result, along the integral curves
+  // Transfer the attribute to the result along the integral curves.
   mesh.collect_garbage();
   auto wave_now = mesh.add_property_map<Mesh::Vertex_index, double>("v:wave").first;
   const BS::Shell_map_3<Shell, Mesh> map(shell, before, mesh);

@@ -22,8 +22,8 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Certified_bspline_shell_3 Shell;
 
-// Moves vertices along the integral curves towards one of the thresholds. If the mesh is then not certified, they are
-// moved by half as much.
+// Moves vertices along the integral curves toward one of the thresholds. While the moved mesh is not certified, the
+// displacements are halved.
 inline bool move_in_shell(const Shell& shell, const Mesh& mesh, Mesh& moved)
 {
   const BS::Gradient_flow_3<Shell> flow(shell);

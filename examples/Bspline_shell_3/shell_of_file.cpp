@@ -1,5 +1,6 @@
-// Writes a certified shell of any file: reads polygons without requirements, and repairs them if possible. The shell is
-// that of the mesh, virtually closed if it is open, or of a proxy if the polygons are not a mesh.
+// Builds a certified shell of the polygons in a file, without requirements on their quality. They are repaired if
+// possible. The shell is that of the mesh, virtually closed if it is open. If the polygons are not a mesh, or this
+// shell is not certified, it is that of a proxy.
 #include "example_output.h"
 
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>

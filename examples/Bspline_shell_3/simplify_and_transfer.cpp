@@ -1,6 +1,6 @@
-// The complete pipeline: builds the certified shell of a file's mesh or of a proxy, and simplifies the mesh in it.
-// Colors and a scalar at the vertices are transferred along the integral curves. Writes both meshes with their
-// attributes, and the shell's bounding surfaces; render_shell.py draws them.
+// The complete pipeline: builds the certified shell of the mesh in a file, or of a proxy, and simplifies the mesh in
+// it. Transfers test colors and a test scalar at the vertices along the integral curves; attributes in the file are not
+// read. Writes both meshes with their attributes, and the bounding surfaces of the shell; render_shell.py draws them.
 #include "example_output.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
@@ -91,7 +91,7 @@ void add_attributes(Mesh& mesh)
   }
 }
 
-// Splits facets into four without changing the surface.
+// A mask of subdivision that splits facets into four, and does not change the surface.
 struct Flat_mask
 {
   const Mesh* mesh;
@@ -115,8 +115,8 @@ Mesh::Property_map<Mesh::Vertex_index, Value> attribute(Mesh& mesh, const std::s
   return mesh.add_property_map<Mesh::Vertex_index, Value>(name).first;
 }
 
-// Gives the vertices of the target the source's values along their curves. Prints and returns the number of vertices
-// without a value.
+// Transfers the attribute with this name from the source to the target. Prints and returns the number of vertices that
+// have no image.
 template <typename Value>
 std::size_t carry_over(const Map& map, Mesh& source, Mesh& target, const std::string& name)
 {
@@ -133,7 +133,7 @@ std::size_t carry_over(const Map& map, Mesh& source, Mesh& target, const std::st
 struct Round_trip
 {
   std::size_t points = 0, lost = 0;
-  double farthest = 0; // the largest distance from the start
+  double farthest = 0; // largest distance from the start
 };
 
 // Maps vertices and centroids of the source to the target and back.
@@ -204,7 +204,7 @@ int run(const Options& options, const Results& results)
   if(!has_mesh || inner == CANNOT_WRITE || outer == CANNOT_WRITE) return CANNOT_WRITE;
 
   printer.show("simplification");
-  constexpr double least_seconds = 1e-3; // limits are positive
+  constexpr double least_seconds = 1e-3; // time limits must be positive
   Mesh coarse = found.mesh();
   const double seconds_left = (std::max)(options.seconds - shell_seconds, least_seconds);
   const BS::Facet_count_stop_predicate stop(options.facets);
@@ -217,7 +217,7 @@ int run(const Options& options, const Results& results)
   }
   coarse.collect_garbage();
 
-  // Transfer attributes to the vertices of the coarse mesh, and to many points of its facets.
+  // Transfer attributes to the vertices of the coarse mesh, and to many points on its facets.
   timer.reset();
   Mesh detail = coarse;
   while(detail.number_of_faces() < 100000) CGAL::Subdivision_method_3::PTQ(detail, Flat_mask{ &detail }, 1);

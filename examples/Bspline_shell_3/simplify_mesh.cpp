@@ -1,6 +1,6 @@
-// Simplifies a mesh as far as its shell allows, or to a given number of facets. Two properties are proved: the result
-// does not intersect itself, and the map between both meshes is one-to-one. Each vertex of the initial mesh gets the
-// vertex that it was collapsed into.
+// Simplifies a mesh as far as its shell allows, or to a given number of facets. It is proved that the result does not
+// intersect itself, and that the map between the meshes is one-to-one. `result.images` contains, for each vertex of
+// the initial mesh, the vertex into which it was collapsed.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>

@@ -1,5 +1,5 @@
-// Simplifies a mesh with a vertex whose facets face no common direction, and maps it to the result and back. The shell
-// is built around a truncated mesh, but the map is one-to-one from the input mesh.
+// Simplifies a mesh with a singular vertex, whose facets face no common direction, and maps its vertices to the result
+// and back. The shell is built around a truncated mesh, but the map is one-to-one from the input mesh.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
@@ -46,8 +46,9 @@ int main(int argc, char** argv)
   double farthest = 0;
   for(auto v : mesh.vertices()) {
     const auto image = map(v);
+    if(!image) return EXIT_FAILURE;
     const auto back = inverse(image.location);
-    if(!image || !back) return EXIT_FAILURE;
+    if(!back) return EXIT_FAILURE;
     farthest = (std::max)(farthest, std::sqrt(CGAL::squared_distance(mesh.point(v), back.point)));
   }
   std::cout << "After the round trip, the error of vertices is at most " << farthest << ".\n";

@@ -1,6 +1,6 @@
-// Transfers the smoothest field of directions (1: vectors, 2: lines, 4: crosses) to the mesh simplified in its shell,
-// and back. Compares singularities of both meshes, and measures the mean angle by which the field has changed there and
-// back.
+// Computes the smoothest direction field of a mesh (1: vectors, 2: lines, 4: crosses), and transfers it to the mesh
+// simplified in its shell and back. Compares the singularities on both meshes, and measures the mean angle between the
+// field before and after the round trip.
 #include "direction_field.h"
 #include "example_files.h"
 
@@ -35,7 +35,8 @@ int sum_of_indices(const std::vector<Singularity>& singularities)
                          [](int sum, const Singularity& s) { return sum + s.index; });
 }
 
-// Returns how many of the singularities `before` have a separate one with the same index at the facet of their image.
+// Returns how many of the singularities `before` can be matched one-to-one with a singularity of the same index at the
+// facet of their image.
 std::size_t number_found(const Map& map, const std::vector<Singularity>& before, std::vector<Singularity> after)
 {
   std::size_t found = 0;
@@ -53,7 +54,7 @@ std::size_t number_found(const Map& map, const std::vector<Singularity>& before,
   return found;
 }
 
-// Writes the mesh with the field's coordinates and the indices of singularities.
+// Writes the mesh with the coordinates of the field and the indices of singularities.
 bool write(const std::string& file, Mesh& mesh, Vectors field, const std::vector<Singularity>& singularities)
 {
   for(int i = 0; i < 3; ++i) {

@@ -9,7 +9,7 @@
 
 typedef Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> Texture_coordinates;
 
-// Wraps a texture around the z-axis, from 0 to 1. Each facet that crosses the seam is on one side of it.
+// Wraps a texture around the z-axis, from 0 to 1. A facet that crosses the seam gets the coordinates of one side.
 void wrap_around_axis(const Mesh& mesh, Texture_coordinates uv)
 {
   for(Mesh::Face_index f : mesh.faces()) {

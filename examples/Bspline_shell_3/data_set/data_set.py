@@ -1,4 +1,4 @@
-"""Describes a data set: its meshes, their names and batches, and the options for processing."""
+"""Describes a data set: meshes, their names and batches, and options."""
 import hashlib
 from collections import Counter
 from pathlib import Path
@@ -16,7 +16,7 @@ DEFAULTS = {
 
 
 def options(config):
-    """Returns the options: those of the configuration, converted to the type of their default, and other defaults."""
+    """Returns the options: those of the configuration, converted to the types of the defaults, and defaults for the others."""
     if not config.get("meshes"):
         raise ValueError("Pass a folder or a list of meshes: --config meshes=FOLDER")
     unknown = set(config) - set(DEFAULTS) - {"meshes"}
@@ -33,7 +33,7 @@ def options(config):
 
 
 def files_of(meshes):
-    """Returns all meshes in a folder and its subfolders, or those in a list, one per line, relative to its folder."""
+    """Returns all meshes in a folder and its subfolders, or those in a list: one per line, relative to the folder of the list."""
     meshes = Path(meshes).absolute()
     if meshes.is_dir():
         return sorted(path for path in meshes.rglob("*") if path.suffix.lower() in FORMATS and path.is_file())
@@ -47,7 +47,7 @@ def plain(text):
 
 
 def name_of(path, stems):
-    """Returns the file's name. If it is not unique, appends the format and a part that is unique to the path."""
+    """Returns the name of the file. If it is not unique, appends the format and a checksum of the path."""
     if stems[plain(path.stem)] == 1:
         return plain(path.stem)
     return f"{plain(path.stem)}_{path.suffix[1:].lower()}_{hashlib.sha256(str(path).encode()).hexdigest()[:6]}"

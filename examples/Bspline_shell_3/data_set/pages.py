@@ -1,4 +1,4 @@
-"""Writes the results of a data set: table.csv, index.html, and a page for each mesh. They work offline.
+"""Writes the results of a data set: table.csv, index.html, and a page for each mesh. The pages work offline.
 
 Usage: pages.py BATCHES     (BATCHES: the number of files batches/N.jsonl)
 """
@@ -22,21 +22,21 @@ BLUE, RED, SOFT = "#336bd9", "#d94033", "#5b6472"
 
 # columns: key, title, format, description
 COLUMNS = (
-    ("kind", "Kind", str, "mesh of the shell: the mesh itself (closed, truncated or virtually closed), or a proxy"),
+    ("kind", "Kind", str, "mesh of the shell: closed, truncated at singular vertices, virtually closed (an open mesh), or a proxy of a polygon soup"),
     ("facets", "Facets", "{:,}", "number of facets of the mesh or the proxy"),
     ("simplified_facets", "Simplified", "{:,}", "number of facets of the simplified mesh"),
     ("thickness", "Thickness", "{:.2f} %", "thickness of the shell, in percent of the longest side of the bounding box"),
-    ("cells", "Cells", "{:,}", "number of cells of the field"),
-    ("round_trip", "Round trip", "{:.1e}", "maximum error of points after the round trip to the simplified mesh, "
-     "relative to the longest side of the bounding box"),
-    ("seconds", "Time", "{:.1f} s", "time without the picture"),
+    ("cells", "Cells", "{:,}", "number of cells of the field that defines the shell"),
+    ("round_trip", "Round trip", "{:.1e}",
+     "largest distance of a point from its start after a round trip to the simplified mesh, relative to the longest side of the bounding box"),
+    ("seconds", "Time", "{:.1f} s", "time without drawing the picture"),
     ("peak_mb", "Memory", "{:,.0f} MB", "peak memory"),
 )
 EXTRA = "file", "exit", "reason", "cpu_seconds", "points", "points_lost", "drawing_seconds"
 
 
 def write(path, text):
-    """Writes a complete file, or none."""
+    """Writes a complete file, or no file."""
     part = Path(f"{path}.part")
     part.write_text(text, encoding="utf-8")
     part.replace(path)
@@ -163,7 +163,7 @@ def obstacles(report):
 
 
 def offenders(report):
-    """Returns the facets and vertices due to which the mesh itself is refused."""
+    """Returns the facets and vertices because of which the mesh itself is rejected."""
     return [(f"Offending {what}", ", ".join(map(str, found[:10])) + (" ..." if len(found) > 10 else ""))
             for what in ("facets", "vertices") if (found := report.get("mesh_itself", {}).get(what))]
 
@@ -197,14 +197,14 @@ def write_index(records, rows):
     hours = sum(r["seconds"] or 0 for r in rows) / 3600
     lost, points = sum(r["points_lost"] or 0 for r in rows), sum(r["points"] or 0 for r in rows)
     of_kinds = "".join(f"; {n:,} {kind}" for kind, n in kinds.most_common())
-    facts = [(f"{len(done):,} of {len(rows):,}", f"meshes have a certified shell and were simplified{of_kinds}"),
-             (f"{len(rows) - len(done):,}", "meshes have no result; their pages give the reason"),
-             (f"{lost:,} of {points:,}", "points were lost in the round trip to the simplified mesh"),
-             (f"{hours:.1f} h" if hours >= 1 else f"{60 * hours:.1f} min", "total time, without pictures")]
+    facts = [(f"{len(done):,} of {len(rows):,}", f"meshes have a certified shell and are simplified in it{of_kinds}"),
+             (f"{len(rows) - len(done):,}", "meshes without a result; their pages give the reason"),
+             (f"{lost:,} of {points:,}", "points lost on the round trip to the simplified mesh"),
+             (f"{hours:.1f} h" if hours >= 1 else f"{60 * hours:.1f} min", "of processing time, without pictures")]
     cards = "\n".join(f"<div class=\"card\"><strong>{number}</strong><span>{escape(what)}</span></div>" for number, what in facts)
     plots = "\n".join(f"<figure>{svg}</figure>" for svg in (
         histogram(rows, "seconds", "Time (seconds)"), histogram(done, "cells", "Cells"),
-        histogram(done, "thickness", "Thickness (% of the bounding box)"), refusals(rows)) if svg)
+        histogram(done, "thickness", "Thickness (% of the box size)"), refusals(rows)) if svg)
     heads = "".join(f"<th scope=\"col\" title=\"{escape(what)}\"><button>{title}</button></th>" for _, title, _, what in COLUMNS)
     lines = []
     for record, r in zip(records, rows):
@@ -218,7 +218,7 @@ def write_index(records, rows):
                      f"<td data-value=\"{escape(r['outcome'])}\" title=\"{escape(r['reason'])}\">{badge(record)}</td>{cells}</tr>")
     script = (HERE / "table.js").read_text(encoding="utf-8")
     rows_of_table = "\n".join(lines)
-    lead = f"{len(rows):,} meshes. Each has a certified shell, a simplified mesh and a picture, or the reason why not."
+    lead = f"{len(rows):,} meshes. For each: the certified shell, the simplified mesh, and a picture, or the reason why there is no result."
     page("index.html", "Data set", f"""<p class="lead">{lead}</p>
 <p class="links"><a href="table.csv">table.csv</a></p>""", f"""<nav>
 {cards}

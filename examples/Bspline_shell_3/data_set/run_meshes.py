@@ -1,8 +1,8 @@
-"""Processes one batch of a data set: runs the program on each mesh within limits, draws and records the result.
+"""Processes one batch of a data set: runs the program on each mesh within limits, and draws and records the results.
 
 Usage: run_meshes.py OPTIONS NUMBER RECORDS     (OPTIONS: in JSON; RECORDS: written when the batch is complete)
 
-Every mesh has a folder, in which record.json is written last. If it has a record for the same file and options, it is
+Every mesh has a folder, in which record.json is written last. A mesh that has a record for the same file and options is
 not processed again. All problems of a mesh are stored in its record. This script fails only if it cannot write.
 """
 import json
@@ -27,7 +27,7 @@ THUMBNAIL = 320, 120
 
 
 def write(path, text):
-    """Writes a complete file, or none."""
+    """Writes a complete file, or no file."""
     part = path.with_name(path.name + ".part")
     part.write_text(text, encoding="utf-8")
     part.replace(path)
@@ -39,7 +39,7 @@ def limit_memory(megabytes):
 
 
 class Drawing:
-    """Draws pictures in forks of this process, as losing the X server ends a process.
+    """Draws pictures in forks of this process, because a process that loses the X server ends.
 
     Python, VTK and the server are started only once.
     """
@@ -186,7 +186,7 @@ def make(name, file, options, folder, draw):
                 Path(f"{prefix}_{part}.ply").unlink(missing_ok=True)
         for key, path in ("report", Path(f"{prefix}.json")), ("simplified", Path(f"{prefix}_simplified.json")):
             record[key] = read_json(path)
-    except BaseException:       # this run was ended, not due to the mesh
+    except BaseException:       # the run was terminated, but not because of the mesh
         mark.unlink(missing_ok=True)
         raise
     write(folder / "record.json", json.dumps(record, indent=1))

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Makes figures of the gallery, and the page that shows them. examples/gallery.sh runs it.
+"""Generates figures of the gallery, and the page that shows them. examples/gallery.sh runs this script.
 
-Usage: gallery.py pending [--again] [FIGURE...]     lists incomplete figures, by default of all, one per line
-       gallery.py programs FIGURE...                lists the programs that they run
-       gallery.py make FIGURE                       makes a figure, and writes the page
+Usage: gallery.py pending [--again] [FIGURE...]     lists incomplete figures (default: of all), one per line
+       gallery.py programs FIGURE...                lists the programs that these figures need
+       gallery.py make FIGURE                       generates a figure, and writes the page
        gallery.py page                              writes results/gallery/index.html
 """
 import shutil

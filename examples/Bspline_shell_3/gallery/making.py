@@ -1,4 +1,4 @@
-"""Runs the programs of one figure and draws their output, with a line of progress for each step."""
+"""Runs the programs of one figure and draws their output; prints a line of progress for each step."""
 import json
 import os
 import shutil
@@ -18,12 +18,12 @@ class Failure(Exception):
 
 
 def last_line(done):
-    """Returns the last line of a process's output."""
+    """Returns the last line of the output of a process."""
     return (done.stderr.strip() or done.stdout.strip() or f"The program ended with exit code {done.returncode}.").splitlines()[-1]
 
 
 class Making:
-    """Makes a figure in `folder`, which is renamed to the figure's name when it is complete."""
+    """Generates a figure in `folder`, which is renamed to the name of the figure when it is complete."""
 
     def __init__(self, name):
         self.name = name
@@ -84,14 +84,14 @@ class Making:
 
 
 def write(path, text):
-    """Writes a complete file, or none."""
+    """Writes a complete file, or no file."""
     part = Path(f"{path}.part")
     part.write_text(text, encoding="utf-8")
     part.replace(path)
 
 
 def make(figure):
-    """Makes a figure, and returns whether it succeeded. Otherwise, its incomplete folder contains the reason."""
+    """Generates a figure, and returns whether this succeeded. Otherwise, its incomplete folder contains the reason."""
     making = Making(figure.name)
     shutil.rmtree(making.folder, ignore_errors=True)
     making.folder.mkdir(parents=True)

@@ -4,8 +4,8 @@ from collections import namedtuple
 
 from making import Failure
 
-# `headline`: quantity and object of the measurement. `pictures`: (file, caption). `rows` of a table: (quantity, the
-# paper, lines with the results).
+# `headline`: (number, description). `pictures`: (file, caption). `rows` of the table: (quantity, value in the paper,
+# lines with our results).
 Results = namedtuple("Results", "headline pictures rows")
 
 NOT_GIVEN = "not given"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Processes a small data set by a Slurm cluster of one node, which is set up in a temporary folder and removed
-# afterwards:
+# Processes a small data set on a Slurm cluster of one node, which is set up in a temporary folder and removed
+# afterward:
 #   sudo bash run_test.sh PROGRAM MESH...       (PROGRAM: simplify_and_transfer)
 # Requires root, and the Debian packages slurmctld, slurmd, slurm-client, munge and snakemake. If a requirement is
 # missing, or Slurm is already running, the exit code is 77.
@@ -26,7 +26,7 @@ stop() {
 }
 trap stop EXIT
 
-# Daemons authenticate each other by a separate munge daemon.
+# The daemons authenticate each other through a separate munge daemon.
 mkdir -m 755 "$work"/munge
 dd if=/dev/urandom of="$work/munge/key" bs=128 count=1 status=none
 chmod 400 "$work/munge/key"
@@ -34,7 +34,7 @@ munged --foreground --force --key-file="$work/munge/key" --socket="$work/munge/s
        --log-file="$work/munge/log" >/dev/null 2>&1 &
 daemons+=($!)
 
-# free ports, not those of other users' daemons
+# free ports, so that daemons of other users are not disturbed
 port() { python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])'; }
 host=$(hostname -s)
 mkdir "$work/state" "$work/spool"
