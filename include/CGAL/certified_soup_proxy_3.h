@@ -74,9 +74,9 @@ namespace CGAL {
  *   All parameters of `certified_bspline_shell_3()` except `vertex_point_map`, `closing`, and `virtual_closing` are
  *   accepted. A `signed_distance_oracle()` would have to return the distance to the proxy, which does not exist before
  *   the call, so the default is the right one. Unless `sizing()` is given, the thickness is increased to eight times
- *   the offset, but not above 19 root cells, so that the inner half of the shell reaches the soup in concave corners.
- *   If the proxy cannot be certified within the limits of memory, effort, and rounds, a second proxy is built with
- *   twice the `alpha` and `offset`.
+ *   the offset, but not above 19 root cells. The inner half of the shell then reaches the soup in concave corners. If
+ *   the proxy cannot be certified within the limits of memory, effort, and rounds, a second proxy is built with twice
+ *   the `alpha` and `offset`.
  * \return the proxy, or the reason why there is none and the polygons and points at fault:
  *   - `EMPTY_MESH`, `NOT_FINITE`, `COORDINATES_OUT_OF_RANGE`;
  *   - `INVALID_PARAMETER`, also if a polygon refers to a point that does not exist;

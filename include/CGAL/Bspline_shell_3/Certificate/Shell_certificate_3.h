@@ -53,11 +53,11 @@ namespace Bspline_shells {
  * shell, or reports where the proof fails.
  *
  * If all five claims (`Claim`) are proved, every integral curve in the components of the shell that contain the mesh
- * meets the mesh in exactly one point. The mesh then does not intersect itself, and is isotopic in the shell to every
- * level set whose value is at least that of the inner threshold and at most that of the outer threshold everywhere in
- * these components. Two such meshes in the same components of the shell are mapped onto each other by a homeomorphism.
- * No proof relies on samples: values and slopes are enclosed on whole facets and boxes, and crossings are counted
- * exactly.
+ * meets the mesh in exactly one point, and the mesh does not intersect itself. Let \f$c\f$ be a value between the
+ * largest inner and the smallest outer threshold in these components. The mesh is isotopic in the shell to the level
+ * set \f$\{f = c\}\f$. Two such meshes in the same components of the shell are mapped onto each other by a
+ * homeomorphism. No proof relies on samples: values and slopes are enclosed on whole facets and boxes, and crossings
+ * are counted exactly.
  *
  * The components of a certified shell are those of the mesh for which it was built. A mesh is certified in such a shell
  * only if it has exactly one component in each of them, and no other component. Hence all meshes that are certified in
@@ -163,50 +163,50 @@ public:
     return match_components(paths, *m_last.input).verdict();
   }
 
-  /// returns whether all claims were proved in the last call of `verify()`.
+  /// returns whether all claims were proved in the last call of `verify()`
   bool is_certified() const
   {
     return status() == Shell_status::SUCCESS && arithmetic() == Arithmetic_status::SOUND && report().are_all_proved();
   }
   explicit operator bool() const { return is_certified(); }
 
-  /// returns `SUCCESS` if the mesh could be examined, otherwise the reason.
+  /// returns `SUCCESS` if the mesh could be examined, otherwise the reason
   Shell_status status() const { return m_last.status; }
   const Offending_simplices& offending_simplices() const { return m_last.offending_simplices; }
   Arithmetic_status arithmetic() const { return m_last.arithmetic; }
 
-  /// returns all results, except for the meshes and boxes to which they refer.
+  /// returns all results, except for the meshes and boxes to which they refer
   const Certificate_report& report() const { return m_last.report; }
   Verdict verdict(Claim claim) const { return report().verdict(claim); }
-  /// returns places where a claim is not proved; their total number is `Certificate_report::number_of_witnesses`.
+  /// returns places where a claim is not proved; their total number is `Certificate_report::number_of_witnesses`
   const std::vector<Certificate_witness>& witnesses() const { return report().witnesses; }
   /// returns the verdicts on the facets of the mesh in the order of `faces(mesh)`, then on the triangles of the
-  /// closing, then on those of discs.
+  /// closing, then on those of discs
   const std::vector<Facet_verdict>& facets() const { return m_last.facets; }
-  /// returns the cover of the shell by boxes, if containment is proved.
+  /// returns the cover of the shell by boxes, if containment is proved
   const std::optional<Cover>& cover() const { return m_last.cover; }
-  /// returns the mesh of the examined triangles, which has `double` coordinates.
+  /// returns the mesh of the examined triangles, which has `double` coordinates
   const Triangle_mesh& examined_mesh() const { return m_last.input->mesh(); }
   /// returns, for each component of the mesh, the vertex of the examined mesh from which the flood fill of the cover
-  /// starts, if containment is proved.
+  /// starts, if containment is proved
   const std::vector<Triangle_mesh::Vertex_index>& seeds() const { return m_last.seeds; }
-  /// returns the number of components of the cover.
+  /// returns the number of components of the cover
   std::size_t number_of_covers() const { return report().covers; }
-  /// returns the paths that prove the claim `DEGREE_ONE`.
+  /// returns the paths that prove the claim `DEGREE_ONE`
   const std::vector<Crossing_path>& paths() const { return report().paths; }
   /// returns, for each component of the mesh, the component of the shell that is proved to contain it, or
-  /// `Certificate_witness::none`.
+  /// `Certificate_witness::none`
   const std::vector<std::size_t>& components() const { return report().components; }
   const Certificate_statistics& statistics() const { return report().statistics; }
-  /// returns the bounds on the cells that facets meet; null if there are none yet.
+  /// returns the bounds on the cells that facets meet; null if there are none yet
   const std::shared_ptr<const Bounds>& bounds() const { return m_bounds; }
 
   /// \name Quantities
   /// @{
   /// returns a lower bound of \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved.
   double least_gradient() const { return report().least_gradient; }
-  /// returns an upper bound, in the units of the coordinates, of the length of integral curves in the shell, and hence
-  /// of the distance between a point and its image on any other certified mesh. The bound is infinite if the gradient
+  /// returns an upper bound of the length of integral curves in the shell, in the units of the coordinates. It bounds
+  /// the distance between a point and its image on any other certified mesh. The bound is infinite if the gradient
   /// claim is not proved.
   double displacement_bound() const { return report().displacement_bound; }
   /// returns, for each facet in the order of `faces(mesh)`, an upper bound of the length in the shell of the integral
@@ -221,11 +221,11 @@ public:
                                                                displacement_bound());
   }
   /// returns a lower bound, in radians, of the angle at which integral curves pass through facets; 0 if containment or
-  /// transversality is not proved.
+  /// transversality is not proved
   double least_angle() const { return report().least_angle; }
-  /// returns the smallest cone margin of a vertex (`vertex_cone_margin()`).
+  /// returns the smallest cone margin of a vertex (`vertex_cone_margin()`)
   double least_cone_margin() const { return report().least_cone_margin; }
-  /// returns the positions in `vertices(mesh)` of the vertices at which no field can be transversal; the test is exact.
+  /// returns the positions in `vertices(mesh)` of the vertices at which no field can be transversal; the test is exact
   const std::vector<std::size_t>& singular_vertices() const { return report().singular_vertices; }
   /// @}
 

@@ -23,7 +23,7 @@ struct Threshold_tuning
   double useful_cap = 0.98;
   /// A place is tight if the mesh requires more than this fraction of the room.
   double tight = 0.7;
-  /// Boxes from at most this number of bisections of a cell are coarse: the cover ran out of boxes.
+  /// Boxes after at most this number of subdivisions of a cell are coarse: the cover ran out of boxes.
   int coarse_depth = 3;
   /// Ranges on the mesh: largest number of bisections of the edges of a piece for values on grids (a third bisection
   /// would take 30 values), and for bounds on parts of a piece. Each bisection reduces the excess of a bound to a

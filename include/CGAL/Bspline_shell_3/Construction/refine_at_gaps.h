@@ -43,8 +43,8 @@ inline Bbox_3 inner_box(const Cell_hierarchy_3& cells, Cell_hierarchy_3::Index c
  * gaps that are much narrower than a cell.
  *
  * On cells much wider than a gap, a field can increase only little through the two sides of the gap
- * (`slopes_at_gaps()`), so refinement level by level would usually fail at each intermediate level. If the gap is only
- * slightly narrower than a cell, intermediate levels often suffice.
+ * (`slopes_at_gaps()`). Refinement level by level would therefore usually fail at each intermediate level. If the gap
+ * is only slightly narrower than a cell, intermediate levels often suffice.
  *
  * \param marked leaves to split
  * \param rings layers of cells around them that are split as well

@@ -26,8 +26,8 @@ enum class Edit_status
   NOT_TRIANGULATED,      ///< the mesh has no facets, or a facet that is not a triangle
   OPEN_MESH,             ///< the mesh has a border, which is not that of the shell's closing
   NOT_CLOSABLE,          ///< the mesh has the border of the shell's closing, but also an edge of the closing
-  /// a facet is not proved to lie in the shell and to face along the gradient, the facets at a vertex do not wind
-  /// around it once, or the shell's truncation does not fit the mesh
+  /// a facet is not proved to lie in the shell and to face along the gradient, or the facets at a vertex do not wind
+  /// around it once; also if the shell's truncation does not fit the mesh
   NOT_IN_SHELL,
   /// no facet was rejected before the edit, but the result could not be certified; the report lists the places
   NOT_CERTIFIED

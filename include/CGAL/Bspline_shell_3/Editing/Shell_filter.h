@@ -39,9 +39,9 @@ struct Permissive_filter
  * passes only if the oracle accepts the facets at the new vertex, and these wind around the vertex once; no other
  * facets change.
  *
- * Assume that the facets of a mesh are proved to lie in the shell and to face along the gradient, and that the *fan* of
- * facets at each vertex winds around the gradient there once. A collapse that passes the filter of an oracle with
- * `Facet_proofs::ALL` preserves these properties:
+ * Assume that the facets of a mesh are proved to lie in the shell and to face along the gradient. Assume also that the
+ * *fan* of facets at each vertex winds around the gradient there once. A collapse that passes the filter of an oracle
+ * with `Facet_proofs::ALL` preserves these properties:
  * - *Other fans* need no test. At a vertex of the link that is on only one of the two old stars, one neighbor moves.
  *   Before and after, the two facets at this neighbor together wind by less than a full turn, from the same vertex to
  *   the same vertex, and hence by the same angle. At the two vertices opposite to the edge, three facets become two.

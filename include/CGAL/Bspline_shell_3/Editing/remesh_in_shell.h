@@ -51,8 +51,8 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *
  * An operation is done only if each facet that it creates is accepted, as in `simplify_in_shell()`; otherwise, it is
  * omitted or done in part. The result is certified as a whole; otherwise, the mesh is restored unless facets are
- * frozen. A certified result has no self-intersections, and the integral curves map it one-to-one onto every other mesh
- * that is certified in the same shell, in particular onto the mesh for which a certified shell was built.
+ * frozen. A certified result has no self-intersections. The integral curves map it one-to-one onto every other mesh
+ * that is certified in the same shell, in particular the mesh for which a certified shell was built.
  *
  * The method follows *A remeshing approach to multiresolution modeling* (M. Botsch and L. Kobbelt, 2004). Each
  * iteration splits edges that are longer than 4/3 of the target length, and collapses edges that are shorter than 4/5

@@ -47,10 +47,10 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  * \brief simplifies a mesh in a shell by edge collapses.
  *
  * An edge is collapsed only if each facet that this creates is accepted: it is proved or estimated (see *Proofs* below)
- * to lie in the shell and to face along the gradient, that is, its normal and the gradient form an acute angle at each
- * of its points. The result is certified as a whole; otherwise, the mesh is restored unless facets are frozen. A
- * certified result has no self-intersections, and the integral curves map it one-to-one onto every other mesh that is
- * certified in the same shell, in particular onto the mesh for which a certified shell was built.
+ * to lie in the shell and to face along the gradient. A facet faces along the gradient if its normal and the gradient
+ * form an acute angle at each of its points. The result is certified as a whole; otherwise, the mesh is restored unless
+ * facets are frozen. A certified result has no self-intersections. The integral curves map it one-to-one onto every
+ * other mesh that is certified in the same shell, in particular the mesh for which a certified shell was built.
  *
  * Edges are collapsed by `CGAL::Surface_mesh_simplification::edge_collapse()` with `Shell_filter`, cheapest first. If
  * the policy's placement is rejected, other placements are tried in the order of their costs: the ends and the midpoint
@@ -106,12 +106,12 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *     \cgalParamNBegin{protect_constraints}
  *       \cgalParamDescription{if `true`, each constrained edge is kept. If `false`, as in `remesh_in_shell()` by
  *         default, polylines of constrained edges are simplified: a vertex where exactly two constrained edges meet may
- *         be merged into one of its neighbors along them, while ends, and vertices where more constrained edges meet,
- *         do not move. A simplified polyline connects some of its original vertices; `Edit_report::constrained_edges`
- *         is the number of constrained edges of the result. The property map is updated; if this parameter is given, it
- *         must be a model of `ReadWritePropertyMap`. The shell bounds the distance of a polyline from the mesh, but not
- *         its motion along the mesh, which only the costs or a `filter` limit. A constrained edge that shares a vertex
- *         with an edge of length zero is kept as long as the latter exists.}
+ *         be merged into one of its neighbors along them. Ends, and vertices where more constrained edges meet, do not
+ *         move. A simplified polyline connects some of its original vertices; `Edit_report::constrained_edges` is the
+ *         number of constrained edges of the result. The property map is updated; if this parameter is given, it must
+ *         be a model of `ReadWritePropertyMap`. The shell bounds the distance of a polyline from the mesh, but not its
+ *         motion along the mesh, which only the costs or a `filter` limit. A constrained edge that shares a vertex with
+ *         an edge of length zero is kept as long as the latter exists.}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`true`}
  *     \cgalParamNEnd

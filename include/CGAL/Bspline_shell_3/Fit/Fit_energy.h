@@ -40,9 +40,9 @@ namespace Bspline_shells {
  *
  * The energy of each cell is computed in *cell units*: lengths and values are divided by the cell's width, so that
  * cells of all sizes have equal weight. Let \f$F\f$ be the field and \f$D\f$ the signed distance in cell units, \f$p\f$
- * the samples, \f$n\f$ the normals of facets, \f$B_i\f$ the basis functions, \f$x_i\f$ their coefficients, and
- * \f$\gamma\f$ the number of root cells along the longest side of the mesh's bounding box. With the weights of
- * `Energy_weights`, the energy is
+ * the samples, and \f$n\f$ the normals of facets. Let \f$B_i\f$ be the basis functions and \f$x_i\f$ their
+ * coefficients, and \f$\gamma\f$ the number of root cells along the longest side of the mesh's bounding box. With the
+ * weights of `Energy_weights`, the energy is
  * \f[ \sum_p (F - D)^2 + \beta \int F^2 + \nu \int (\nabla F \cdot n - 1)^2
  *     + \delta \sum_p \sum_i B_i(p) (x_i - D_c(a_i))^2 + \mu \left( \int |\nabla F - n|^2 + \sigma \gamma^2 \int |\det
  *     H_F| + \zeta \int (\nabla F \cdot n - 1)^2 \right) . \f]
@@ -410,8 +410,8 @@ private:
     }
   }
 
-  // Returns the linear function closest to the samples of a cell, which are the corners of a cube with sides of 1/2, at
-  // the centers of the supports of the cell's 64 functions, in cell units.
+  // Returns, in cell units, the linear function closest to the samples of a cell, at the centers of the supports of the
+  // cell's 64 functions. The samples are the corners of a cube with sides of 1/2.
   Local_vector extended_samples(Cell_index c) const
   {
     constexpr int n = Distance_samples::per_cell;

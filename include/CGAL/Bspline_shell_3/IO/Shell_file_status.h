@@ -12,21 +12,21 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief Status of reading or writing a shell file.
+ * \brief the outcome of reading or writing a shell file.
  */
 enum class Shell_file_status
 {
   SUCCESS,
-  CANNOT_OPEN,           ///< The file does not exist or is not readable.
-  CANNOT_WRITE,          ///< The file cannot be created or completed.
-  NOT_A_SHELL,           ///< The file is not a shell file, or there is no valid shell to write.
-  VERSION_NOT_SUPPORTED, ///< The file has another format version.
-  OTHER_KIND,            ///< The file holds a shell with another type of field or thresholds.
-  DAMAGED                ///< The file is truncated, altered or inconsistent.
+  CANNOT_OPEN,           ///< the file does not exist or is not readable
+  CANNOT_WRITE,          ///< the file cannot be created or completed
+  NOT_A_SHELL,           ///< the file is not a shell file, or there is no valid shell to write
+  VERSION_NOT_SUPPORTED, ///< the file has another version of the format
+  OTHER_KIND,            ///< the file contains a shell with another type of field or thresholds
+  DAMAGED                ///< the file is truncated, altered, or inconsistent
 };
 
 /// \ingroup PkgBsplineShell3IO
-/// Returns the error and its remedy in one sentence.
+/// returns a sentence that describes the problem and a remedy
 inline const char* message(Shell_file_status status)
 {
   switch(status) {
@@ -49,7 +49,7 @@ inline const char* message(Shell_file_status status)
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief Number format of a file: compact and fast binary, or readable text.
+ * \brief the number format of a file: compact and fast binary, or readable text.
  */
 enum class Shell_format
 {

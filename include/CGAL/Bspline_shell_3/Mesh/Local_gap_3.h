@@ -25,10 +25,10 @@ namespace Bspline_shells {
  * \brief computes the local gap of a mesh: the thickness of its walls, and the width of narrow gaps between its parts.
  *
  * The local gap is defined at a point of a facet, on one of its two sides: it is the diameter of the largest ball that
- * touches the facet there and whose interior contains no point of an opposite facet, that is, a facet whose normal is
- * at more than 120 degrees to that of the facet. The gap behind the facet is the thickness of the wall, and the gap in
- * front of it is the distance to the next part of the mesh. Facets that share a vertex with the facet are ignored,
- * because the gap of a fold is zero at its edge.
+ * touches the facet there and whose interior contains no point of an opposite facet. A facet is opposite if the angle
+ * between the normals exceeds 120 degrees. The gap behind the facet is the thickness of the wall, and the gap in front
+ * of it is the distance to the next part of the mesh. Facets that share a vertex with the facet are ignored, because
+ * the gap of a fold is zero at its edge.
  *
  * Gaps are computed in `double`s; up to rounding, each is the diameter of a ball that touches the facet and meets an
  * opposite facet. Const member functions may be called concurrently. A query takes logarithmic time if few facets are

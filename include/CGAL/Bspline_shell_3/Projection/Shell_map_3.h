@@ -41,12 +41,12 @@ namespace Bspline_shells {
  *
  * If the two meshes are certified in the same certified shell (`Shell_certificate_3`), the map is one-to-one.
  * Certificates are not required, but the constructor compares the components of the meshes:
- * - If the shell is certified, and each mesh is closed or is closed by `Bspline_shell_3::closing()`, the status is
- *   `OTHER_COMPONENTS` if a component of the shell contains no vertex of one of the meshes, and the paths through this
- *   component do not cross that mesh. No points are mapped then.
- * - Otherwise, segments through the shell are constructed at the largest facets of each component of the two meshes. If
- *   each component is crossed by such a segment that also crosses the other mesh, the status is `SUCCESS`; otherwise,
- *   it is `COMPONENTS_UNKNOWN`. Points are mapped in both cases.
+ * - If the shell is certified, and each mesh is closed or is closed by `Bspline_shell_3::closing()`, each mesh must
+ *   have a vertex in each component of the shell, or be crossed by the paths through this component. Otherwise, the
+ *   status is `OTHER_COMPONENTS`, and no points are mapped.
+ * - For other shells and meshes, segments through the shell are constructed at the largest facets of each component of
+ *   the two meshes. If each component is crossed by such a segment that also crosses the other mesh, the status is
+ *   `SUCCESS`; otherwise, it is `COMPONENTS_UNKNOWN`. Points are mapped in both cases.
  *
  * The map stores an AABB tree for each mesh, which it shares with its copies and with its inverse. Const member
  * functions may be called concurrently. The shell and the meshes must outlive the map and must not change.

@@ -46,7 +46,7 @@ struct Projected_point
   Flow_status status = Flow_status::CANCELED;
   /// facet and barycentric coordinates
   Location location = Location(boost::graph_traits<TriangleMesh>::null_face(), {});
-  Point_3 point;    ///< in user coordinates
+  Point_3 point;    ///< position of the image
   double value = 0; ///< value of the field at the image
   /// \name Estimated errors
   /// In the units of the coordinates, to first order; 0 if no curve was traced, NaN if unknown.

@@ -16,8 +16,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief the map from a polygon soup, as a mesh that may intersect itself (`Soup_proxy_3::soup()`), to the proxy or to
- * another mesh in the shell of the proxy, such as an edited proxy.
+ * \brief the map from a polygon soup, as a mesh that may intersect itself (`Soup_proxy_3::soup()`), to a mesh in the
+ * shell of its proxy: the proxy or an edited proxy.
  *
  * Each point of the soup that lies in the shell has one image on a mesh that is certified in the shell. In the other
  * direction (`Soup_map_3::inverse()`), a point of the mesh is mapped to the first part of the soup along its curve

@@ -41,7 +41,7 @@ struct Refinement_limit
 };
 
 /// \ingroup PkgBsplineShell3Shell
-/// \return the limit in one sentence; empty if there was none
+/// \return a sentence that describes the limit; empty if there was none
 inline std::string message(const Refinement_limit& limit)
 {
   constexpr double megabyte = 1e6;

@@ -23,17 +23,17 @@ namespace Bspline_shells {
  */
 struct Refinement_obstacle
 {
-  std::array<double, 3> point = {}; ///< user units
-  double cell_width = 0;            ///< width of the cell there, user units
-  /// local gap of the mesh (`Local_gap_3`), user units; infinite if it is much wider than the cell
+  std::array<double, 3> point = {}; ///< in the units of the coordinates, as are all lengths here
+  double cell_width = 0;            ///< width of the cell there
+  /// local gap of the mesh (`Local_gap_3`); infinite if it is much wider than the cell
   double gap = std::numeric_limits<double>::infinity();
-  bool is_wall = false; ///< whether the gap is behind facets (a wall) rather than in front of them
+  bool is_wall = false; ///< whether the gap is behind facets (a wall), and not in front of them
 };
 
 /// \ingroup PkgBsplineShell3Shell
 /// \param unit length to which the percentages of the sentence refer: the longest side of the mesh's bounding box
 ///   (`Shell_report::unit`)
-/// \return a description of the obstacle in one sentence
+/// \return a sentence that describes the obstacle
 inline std::string message(const Refinement_obstacle& obstacle, double unit)
 {
   constexpr double cells_across = 2;

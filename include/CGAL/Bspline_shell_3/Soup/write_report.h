@@ -99,16 +99,16 @@ private:
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief Writes a report of a shell and its construction as a JSON object.
+ * \brief writes a report on a shell and its construction as a JSON object.
  *
- * The object has the status, the kind of shell, a message, and the repairs. It reports how holes were closed, or which
- * share of the area the proxy carries and why the mesh itself has no shell. It also has sizes, claims and times, and,
- * if the shell is not certified, the obstacles. Lengths are in user units, times in seconds. Offending facets and
- * vertices are `Shell_of_soup_3::offending_simplices`.
+ * The object contains the status, the kind of shell, a message, the repairs, sizes, claims, times and, if the shell is
+ * not certified, the obstacles. It also contains how holes were closed or, for a proxy, which share of the area the
+ * proxy represents and why the mesh itself has no certified shell. Lengths are in the units of the coordinates, and
+ * times in seconds. Offending facets and vertices are `Shell_of_soup_3::offending_simplices`.
  *
  * \param out a stream; its format flags and locale are restored
  * \param result the shell
- * \param shares shares of the area that the proxy carries, if there is one (`sample_soup_shares()`)
+ * \param shares the shares of the area that the proxy represents, if there is one (`sample_soup_shares()`)
  * \param file name of the input file, in UTF-8
  * \return whether the report was written
  */

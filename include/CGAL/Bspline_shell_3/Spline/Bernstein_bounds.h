@@ -66,7 +66,7 @@ struct Enclosed_tricubic
   std::array<double, 64> coefficients;
   double radius = 0;
 
-  /// returns the range of the coefficients, extended by their radius; it encloses the function on the cell.
+  /// returns the range of the coefficients, extended by their radius; it encloses the function on the cell
   Level_range range() const { return internal::hull(coefficients, radius); }
 
   /// encloses the function on a face, an edge, or a vertex of the cell.
@@ -164,7 +164,7 @@ inline Level_range enclose_on_triangle(const Enclosed_tricubic& f, const std::ar
 }
 
 /// \ingroup PkgBsplineShell3Spline
-/// encloses a function on a segment; see `enclose_on_triangle()`.
+/// encloses a function on a segment; see `enclose_on_triangle()`
 inline Level_range enclose_on_segment(const Enclosed_tricubic& f, const std::array<std::array<double, 3>, 2>& corners,
                                       double shift)
 {
@@ -173,7 +173,7 @@ inline Level_range enclose_on_segment(const Enclosed_tricubic& f, const std::arr
 }
 
 /// \ingroup PkgBsplineShell3Spline
-/// encloses a function at a point; see `enclose_on_triangle()`.
+/// encloses a function at a point; see `enclose_on_triangle()`
 inline Level_range enclose_at_point(const Enclosed_tricubic& f, const std::array<double, 3>& t, double shift)
 {
   return enclose_on_segment(f, { t, t }, shift);
@@ -213,7 +213,7 @@ inline Enclosed_tricubic restrict_to_octant(const Enclosed_tricubic& f, int octa
 }
 
 /// \ingroup PkgBsplineShell3Spline
-/// Returns the field on a cell.
+/// returns the field on a cell
 template <typename Cell>
 Enclosed_tricubic enclosed_value(const Cell& cell)
 {
@@ -224,7 +224,7 @@ Enclosed_tricubic enclosed_value(const Cell& cell)
 }
 
 /// \ingroup PkgBsplineShell3Spline
-/// Returns the difference of two functions on the same cell.
+/// returns the difference of two functions on the same cell
 inline Enclosed_tricubic difference(const Enclosed_tricubic& f, const Enclosed_tricubic& g)
 {
   Enclosed_tricubic d;

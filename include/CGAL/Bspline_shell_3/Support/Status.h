@@ -19,48 +19,48 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Support
  *
- * \brief The outcome of a request. Every value except `SUCCESS` means that there is no shell.
+ * \brief the outcome of reading a mesh, or of building or examining a shell. Unless it is `SUCCESS`, there is no
+ * result.
  */
 enum class Shell_status
 {
   SUCCESS,
-  NOT_BUILT,                ///< nothing was requested yet
+  NOT_BUILT,                ///< no shell or mesh was built or read yet
   INVALID_PARAMETER,        ///< a parameter value is not allowed (`Shell_report::invalid_parameter`)
-  MISSING_FILE,             ///< there is no file of that name
+  MISSING_FILE,             ///< there is no file with this name
   UNREADABLE_FILE,          ///< the file cannot be opened or read: it is a directory, or permission is denied
   UNSUPPORTED_FILE,         ///< the format, or this variant of it, is not supported
   EMPTY_FILE,               ///< the file has no bytes
   MALFORMED_FILE,           ///< the file does not follow its format, or ends early
-  TRIANGLE_STRIPS,          ///< the file holds its facets as triangle strips
-  EMPTY_MESH,               ///< the mesh has no facet
+  TRIANGLE_STRIPS,          ///< the file stores its facets as triangle strips
+  EMPTY_MESH,               ///< the mesh has no facets
   NOT_FINITE,               ///< a coordinate is infinite or not a number
   COORDINATES_OUT_OF_RANGE, ///< coordinates beyond 1e60, or a box smaller than 1e-60: products would over- or underflow
   NON_MANIFOLD,             ///< an edge has more than two facets, or the facets at a vertex do not form one fan
-  NOT_ORIENTABLE,           ///< the facets cannot be oriented so that neighbors agree
+  NOT_ORIENTABLE,           ///< the facets cannot be oriented consistently
   OPEN_MESH,                ///< an edge has only one facet
-  NOT_CLOSABLE,             ///< the mesh is open, and the triangles that would close it intersect the mesh or each
-                            ///< other, wind twice around a vertex, use an interior edge of the mesh, or have no area
+  NOT_CLOSABLE,             ///< the mesh is open, and neither caps of its holes nor a sheet behind it can close it
   DEGENERATE_FACET,         ///< a facet has no area, or cannot be triangulated without such a facet
   SELF_INTERSECTION,        ///< two facets meet outside of common vertices and edges
   INCONSISTENT_ORIENTATION, ///< the components of the mesh do not bound one volume, or the mesh bounds none
   SINGULAR_VERTEX,          ///< the facets at a vertex face no common direction
   GRID_TOO_FINE,            ///< the cells are too small for the mesh's coordinates
   TOO_MANY_CELLS,           ///< more cells or unknowns than can be numbered
-  MEMORY_LIMIT_EXCEEDED,    ///< the cells would need more memory than allowed
+  MEMORY_LIMIT_EXCEEDED,    ///< the memory limit would be exceeded
   DISTANCE_NOT_FINITE,      ///< the signed-distance oracle returned a value that is infinite or not a number
   SOLVER_FAILED,            ///< the linear solver failed, or did not reach its tolerance
-  SHELL_LEAVES_BAND,        ///< a bounding surface runs into the end of the cells
+  SHELL_LEAVES_BAND,        ///< the inner or the outer surface of the shell reaches the boundary of the cells
   MESH_NOT_CONTAINED,       ///< it could not be proved that the shell contains the mesh
-  UNSOUND_ARITHMETIC,       ///< nothing can be proved in this build (`Arithmetic_status`)
-  THRESHOLDS_ON_OTHER_CELLS, ///< a threshold is not tricubic on the cells of the field
-  CANCELED,                  ///< the visitor stopped the request
-  NOT_TRUNCATABLE,           ///< the mesh with discs in place of its tips is not closed, or has a degenerate facet
+  UNSOUND_ARITHMETIC,       ///< rounding errors are not bounded in this build, or on this machine (`Arithmetic_status`)
+  THRESHOLDS_ON_OTHER_CELLS, ///< a threshold is not a tricubic function on the cells of the field
+  CANCELED,                  ///< the visitor canceled the computation
+  NOT_TRUNCATABLE,           ///< the shell's discs do not fit the mesh: with them, it is open or has a degenerate facet
   TOO_MANY_FACETS,           ///< the mesh has more vertices or edges than can be numbered
   TIME_LIMIT_EXCEEDED        ///< the time limit was reached
 };
 
 /// \ingroup PkgBsplineShell3Support
-/// Returns a sentence that describes the problem and its remedy.
+/// returns a sentence that describes the problem and, for most values, a remedy
 inline const char* message(Shell_status status)
 {
   switch(status) {
@@ -151,23 +151,23 @@ inline const char* message(Shell_status status)
 }
 
 /// \ingroup PkgBsplineShell3Support
-/// Returns the message of the status; for `INVALID_PARAMETER`, the message of the parameter.
+/// returns the message of the status; for `INVALID_PARAMETER`, the message of the parameter
 inline std::string message(Shell_status status, const Invalid_parameter& parameter)
 {
   return status == Shell_status::INVALID_PARAMETER && parameter ? message(parameter) : message(status);
 }
 
 /// \ingroup PkgBsplineShell3Support
-/// The part of the examined surface to which a facet belongs.
+/// whether a facet belongs to the user's mesh, or was added internally
 enum class Surface_part : unsigned char
 {
   MESH,    ///< the user's mesh
-  CLOSING, ///< the triangles that close an open mesh (`Shell_closing_3`)
-  DISC     ///< the triangles that replace tips of the mesh (`Shell_truncation_3`)
+  CLOSING, ///< triangles that close an open mesh (`Shell_closing_3`)
+  DISC     ///< triangles that replace tips of the mesh (`Shell_truncation_3`)
 };
 
 /// \ingroup PkgBsplineShell3Support
-/// Returns the name of a facet of the part, in words.
+/// returns the name of a facet of the part, in words
 inline const char* name(Surface_part part)
 {
   switch(part) {
@@ -186,7 +186,7 @@ inline Shell_status status(Run::End end)
   return end == Run::End::OUT_OF_TIME ? Shell_status::TIME_LIMIT_EXCEEDED : Shell_status::CANCELED;
 }
 
-// Returns true if every further attempt would end with this status, too.
+// Returns whether every further attempt would end with this status as well.
 inline bool ends_all_attempts(Shell_status status)
 {
   return status == Shell_status::CANCELED || status == Shell_status::TIME_LIMIT_EXCEEDED
@@ -198,8 +198,8 @@ inline bool ends_all_attempts(Shell_status status)
 /*!
  * \ingroup PkgBsplineShell3Support
  *
- * \brief The facets and vertices that cause a status: positions in the ranges `faces(mesh)` and `vertices(mesh)`. If a
- * file was read, these are positions among its faces and vertices.
+ * \brief the facets and vertices that cause a status: positions, counted from 0, in `faces(mesh)` and `vertices(mesh)`
+ * or, if a file was read, among its faces and vertices.
  */
 struct Offending_simplices
 {

@@ -12,18 +12,18 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Surface
  *
- * \brief the outcome of the extraction of a level set. If the value is not `SUCCESS`, no facet was created.
+ * \brief the outcome of the extraction of a level set. Unless the value is `SUCCESS`, no facet was created.
  */
 enum class Level_set_status
 {
   SUCCESS,
-  LEVEL_SET_EMPTY,        ///< the field does not pass the level on the selected cells
+  LEVEL_SET_EMPTY,        ///< the field does not have this value on the selected cells
   LEVEL_SET_LEAVES_CELLS, ///< the level set reaches a face of a selected cell without a selected cell behind it
   LEVEL_SET_UNRESOLVED    ///< the surfaces of several components of a shell cannot be separated
 };
 
 /// \ingroup PkgBsplineShell3Surface
-/// returns one sentence that describes the problem and a remedy
+/// returns a sentence that describes the problem and a remedy
 inline const char* message(Level_set_status status)
 {
   switch(status) {

@@ -54,7 +54,7 @@ struct Tangent_vector_mapping
 namespace internal {
 
 // Returns the vector whose rotations by multiples of 2 pi / N about the normal best fit the images of the N vectors of
-// a symmetric field, in terms of their N-th powers. Of the rotations, the one closest to the image of the first vector
+// a symmetric field. The fit is that of N-th powers. Of the rotations, the one closest to the image of the first vector
 // is returned. Its length is the geometric mean of the lengths of the images.
 inline Eigen::Vector3d map_symmetric_vector(const Eigen::Matrix3d& differential, const Eigen::Vector3d& source_normal,
                                             const Eigen::Vector3d& target_normal, const Eigen::Vector3d& vector,
@@ -252,9 +252,9 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
  * fields that are given at vertices and interpolated between them.
  *
  * In each facet of the source, the vectors of its vertices are rotated into its plane by the smallest rotation from the
- * vertex's normal, which is the mean of the facets' normals, weighted by angles. The rotated vectors are interpolated;
- * for a symmetric field, as N-th powers. Images are tangent to the level set of the shell's field through the target's
- * vertex, so that they do not depend on the target's facets.
+ * vertex's normal. This normal is the mean of the facets' normals, weighted by angles. The rotated vectors are
+ * interpolated; for a symmetric field, as N-th powers. Images are tangent to the level set of the shell's field through
+ * the target's vertex, so that they do not depend on the target's facets.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam Map a `Shell_map_3` or a `Soup_map_3`

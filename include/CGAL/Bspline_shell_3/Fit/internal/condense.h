@@ -28,10 +28,10 @@ namespace internal {
 // matrix P computes all coefficients from the free coefficients.
 //
 // For each point near a dependent point, the row of A restricted to dependent points, times P, is a window of six
-// coefficients per side of the level above, which is computed one axis after the other. The window of a free point
-// couples it to that level, and is needed once. Windows of dependent points are added, with their weights, to the rows
-// of the coefficients on which they depend. All columns are computed independently. If points were chosen, rows and
-// columns of other free points are empty; all points that depend on a chosen point must also be chosen.
+// coefficients per side of the level above. It is computed one axis after the other. The window of a free point couples
+// it to that level, and is needed once. Windows of dependent points are added, with their weights, to the rows of the
+// coefficients on which they depend. All columns are computed independently. If points were chosen, rows and columns of
+// other free points are empty; all points that depend on a chosen point must also be chosen.
 template <typename Field>
 class Condensation
 {

@@ -103,8 +103,8 @@ class Integral_curve
 public:
   typedef typename Velocity::State State;
 
-  // `tolerance` is the distance by which the curve may leave the shell, and `step_tolerance` is the tolerance for the
-  // sum of the errors of all steps, both in the units of the coordinates.
+  // The curve may leave the shell by the distance `tolerance`; `step_tolerance` is the tolerance for the sum of the
+  // errors of all steps. Both are in the units of the coordinates.
   Integral_curve(const Shell& shell, double tolerance, double step_tolerance)
     : m_shell(&shell), m_tolerance(tolerance), m_step_tolerance(step_tolerance),
       m_rounding(coordinate_rounding(shell)), m_velocity{ shell.field().cell(0) }
