@@ -176,10 +176,10 @@ inline void print_repairs(const BS::Soup_repairs& repairs)
   line(repairs.merged_points, "coincident points merged");
   line(repairs.removed_polygons, "polygons with fewer than three distinct points removed");
   line(repairs.split_polygons, "polygons with repeated points split");
-  line(repairs.doubled_polygons, "duplicate polygons removed");
-  line(repairs.turned_polygons, "polygons reversed");
+  line(repairs.duplicate_polygons, "duplicate polygons removed");
+  line(repairs.reversed_polygons, "polygons reversed");
   line(repairs.degenerate_facets, "degenerate facets removed");
-  if(repairs.turned_components) std::cout << "repaired      components reversed to bound a volume\n";
+  if(repairs.reversed_components) std::cout << "repaired      components reversed to bound a volume\n";
 }
 
 inline bool write_mesh(const std::string& file, const Mesh& mesh)

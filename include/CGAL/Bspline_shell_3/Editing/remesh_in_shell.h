@@ -105,7 +105,7 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *         the gradient is rejected. If `true`, these facets are frozen: their vertices are neither moved nor removed,
  *         and their edges are not flipped, split, or collapsed. The facets at a vertex around which they do not wind
  *         exactly once are frozen as well, even if each of them is accepted. The other facets are edited; see
- *         `Edit_status::EDITED_EXCEPT_FROZEN`.}
+ *         `Edit_status::PARTIALLY_EDITED`.}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd

@@ -120,7 +120,7 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *         the gradient is rejected. If `true`, these facets are frozen: their vertices are neither moved nor removed,
  *         and edges with a frozen vertex are not collapsed. The facets at a vertex around which they do not wind
  *         exactly once are frozen as well, even if each of them is accepted. The other facets are edited; see
- *         `Edit_status::EDITED_EXCEPT_FROZEN`.}
+ *         `Edit_status::PARTIALLY_EDITED`.}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
@@ -200,7 +200,7 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
   const Status usable = internal::check_before_edits(mesh, vpm, shell);
   if(usable != Status::SUCCESS) return ended(usable);
 
-  auto&& visitor = internal::argument<Silent_collapse_visitor>(np, internal_np::visitor);
+  auto&& visitor = internal::argument<Default_collapse_visitor>(np, internal_np::visitor);
   // The rollback before a repetition must not be observable.
   constexpr bool may_repeat = is_default_parameter<CGAL_NP_CLASS, internal_np::visitor_t>::value
                               && is_default_parameter<CGAL_NP_CLASS, internal_np::filter_t>::value

@@ -19,15 +19,15 @@ enum class Flow_status
 {
   SUCCESS,
   COMPONENTS_UNKNOWN, ///< maps: it is unknown whether the two meshes lie in the same components of the shell
-  OTHER_COMPONENTS,   ///< a component of the shell contains no part of the source, or no part of the target
+  COMPONENTS_DIFFER,  ///< a component of the shell contains no part of the source, or no part of the target
   NO_SHELL,           ///< there is no shell
   INVALID_MESH,       ///< the mesh has facets that are not triangles, or coordinates that are not finite
   NOT_FINITE,         ///< a coordinate of the point is infinite or not a number
   STARTS_OUTSIDE,     ///< the point is not in the shell
   LEAVES_SHELL,       ///< the curve leaves the shell without meeting the target
-  FACES_WRONG_WAY,    ///< the curve meets the target only at facets that face against the gradient
+  WRONG_ORIENTATION,  ///< the curve meets the target only at facets that face against the gradient
   GRADIENT_VANISHES,  ///< the curve runs into a critical point, up to rounding
-  TOO_MANY_STEPS,     ///< the tolerance cannot be met
+  TOLERANCE_NOT_MET,  ///< the tolerance cannot be met
   CANCELED            ///< the visitor canceled before the point was processed
 };
 
@@ -44,7 +44,7 @@ inline const char* message(Flow_status status)
     case Flow_status::INVALID_MESH:
       return "A mesh has facets that are not triangles, or infinite or NaN coordinates: triangulate it "
              "(CGAL::Polygon_mesh_processing::triangulate_faces), or repair its coordinates.";
-    case Flow_status::OTHER_COMPONENTS:
+    case Flow_status::COMPONENTS_DIFFER:
       return "A component of the shell contains no part of one of the meshes, so the meshes are not mapped onto each "
              "other: compare their certificates, or project to one mesh (CGAL::Bspline_shells::Shell_projection_3).";
     case Flow_status::NOT_FINITE: return "The point has infinite or NaN coordinates: repair or remove it.";
@@ -54,12 +54,12 @@ inline const char* message(Flow_status status)
     case Flow_status::LEAVES_SHELL:
       return "The curve through the point leaves the shell without meeting the target: verify the target "
              "(CGAL::Bspline_shells::Shell_certificate_3).";
-    case Flow_status::FACES_WRONG_WAY:
+    case Flow_status::WRONG_ORIENTATION:
       return "The target faces against the gradient where the curve meets it: reverse its orientation, or verify it "
              "(CGAL::Bspline_shells::Shell_certificate_3).";
     case Flow_status::GRADIENT_VANISHES:
       return "The curve runs into a critical point of the field, up to rounding: use a certified shell.";
-    case Flow_status::TOO_MANY_STEPS: return "The tolerance cannot be met: increase it (tolerance).";
+    case Flow_status::TOLERANCE_NOT_MET: return "The tolerance cannot be met: increase it (tolerance).";
     case Flow_status::CANCELED: return "The visitor canceled the computation.";
   }
   return "";

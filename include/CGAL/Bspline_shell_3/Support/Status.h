@@ -49,7 +49,7 @@ enum class Shell_status
   MEMORY_LIMIT_EXCEEDED,    ///< the memory limit would be exceeded
   DISTANCE_NOT_FINITE,      ///< the signed-distance oracle returned a value that is infinite or not a number
   SOLVER_FAILED,            ///< the linear solver failed, or did not reach its tolerance
-  SHELL_LEAVES_BAND,        ///< the inner or the outer surface of the shell reaches the boundary of the cells
+  SHELL_REACHES_BOUNDARY,   ///< the inner or the outer surface of the shell reaches the boundary of the cells
   MESH_NOT_CONTAINED,       ///< it could not be proved that the shell contains the mesh
   UNSOUND_ARITHMETIC,       ///< rounding errors are not bounded in this build, or on this machine (`Arithmetic_status`)
   THRESHOLDS_ON_OTHER_CELLS, ///< a threshold is not a tricubic function on the cells of the field
@@ -127,7 +127,7 @@ inline const char* message(Shell_status status)
     case Shell_status::SOLVER_FAILED:
       return "The linear solver failed: loosen its tolerance, use another solver (spd_solver), or raise the "
              "resolution.";
-    case Shell_status::SHELL_LEAVES_BAND:
+    case Shell_status::SHELL_REACHES_BOUNDARY:
       return "A bounding surface leaves the cells of the field: raise the resolution, or the number of rings of cells "
              "around the mesh (number_of_rings).";
     case Shell_status::MESH_NOT_CONTAINED:

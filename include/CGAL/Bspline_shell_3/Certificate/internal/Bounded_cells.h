@@ -63,8 +63,8 @@ public:
   // Bounds on all of a cell, per user unit.
   struct Bounds
   {
-    Symmetric_matrix_range_3 above, below, field;  // second derivatives, of the margins and the field
-    Coordinates least_gradient, greatest_gradient; // field's gradient, by component
+    Symmetric_matrix_range_3 above, below, field; // second derivatives, of the margins and the field
+    Coordinates least_gradient, largest_gradient; // field's gradient, by component
     double steepness, curvature; // sums of absolute first and second derivatives, of the margins and the field
     double gradient_error;       // bounds the roundings of the gradient's components at a point
   };
@@ -213,7 +213,7 @@ private:
     bounds.below = second_derivatives(below, width);
     const Slopes gradient = slopes(f, width);
     bounds.least_gradient = gradient.least;
-    bounds.greatest_gradient = gradient.most;
+    bounds.largest_gradient = gradient.most;
     bounds.curvature = (std::max)({ bounds.field.size(), bounds.above.size(), bounds.below.size() });
     bounds.steepness = (std::max)({ size(gradient), size(slopes(above, width)), size(slopes(below, width)) });
     // This bounds errors of values at points in the cell, as Form_error covers more roundings than there are. A

@@ -191,8 +191,8 @@ private:
     double sum = 0, size = 0;
     for(int a = 0; a < 3; ++a) {
       sum += (std::min)(m_normal.direction[a] * cell.least_gradient[a],
-                        m_normal.direction[a] * cell.greatest_gradient[a]);
-      size += (std::max)(std::abs(cell.least_gradient[a]), std::abs(cell.greatest_gradient[a]));
+                        m_normal.direction[a] * cell.largest_gradient[a]);
+      size += (std::max)(std::abs(cell.least_gradient[a]), std::abs(cell.largest_gradient[a]));
     }
     const double least = sum - (2 * m_normal.radius + 8 * rounding) * size;
     const bool is_transversal = least > 0 && least >= m_enough;
