@@ -229,6 +229,40 @@ TEST_CASE("Facet oracle: a fan that winds twice is rejected, even if squares of 
   }
 }
 
+TEST_CASE("Facet oracle: a fan that winds twice is rejected where rounding hides it from the winding number")
+{
+  // Far from the origin, the axis is rounded. A steep fan winds around the exact gradient twice, and all of its facets
+  // face the gradient; but one of them does not face the rounded axis.
+  Frame far;
+  far.center = Eigen::Vector3d::Constant(std::ldexp(1., 30));
+  const double ulp = std::ldexp(1., -22);
+  const Eigen::Vector3d gradient(0.3125, 0.1875, 1), u = gradient.unitOrthogonal(), v = gradient.cross(u).normalized();
+  const auto shell = shell_of(
+    uniform_field({ { gradient[0], { 1, 0, 0 } }, { gradient[1], { 0, 1, 0 } }, { gradient[2], { 0, 0, 1 } } }, far),
+    -5, 5, far);
+  const Oracle oracle(shell);
+  const auto at = [&](const Eigen::Vector3d& x) {
+    const Eigen::Vector3d y = far.to_user(x);
+    return Point_3(y[0], y[1], y[2]);
+  };
+  const Eigen::Vector3d apex(0, 0, 0.5);
+  const Point_3 p = at(apex), on_axis = at(apex + gradient);
+  CGAL::Random random(1);
+  int hidden = 0;
+  for(int attempt = 0; attempt < 20000; ++attempt) {
+    std::vector<Point_3> link;
+    for(int k : { 0, 2, 4, 1, 3 }) {
+      const double angle = 2 * pi * k / 5 + random.get_double(-0.5, 0.5), radius = ulp * random.get_double(1, 4);
+      link.push_back(at(apex - gradient + radius * (std::cos(angle) * u + std::sin(angle) * v)));
+    }
+    if(BS::link_winding_number(p, on_axis, link) != 2 || oracle.winding_number(p, link) != 0) continue;
+    ++hidden;
+    Oracle::Memory memory;
+    CHECK(oracle(p, link, memory) != Placement_verdict::ACCEPTED);
+  }
+  CHECK(hidden > 0);
+}
+
 TEST_CASE("Facet oracle: facets between the thresholds, but outside the cells of the shell, are rejected")
 {
   // The shell consists of the cells of a layer with positive x.

@@ -101,11 +101,11 @@ TEST_CASE("certify: a shell read from a file gets its previous certificate, cove
     const auto certificate = BS::certify(shell, two_spheres());
     CHECK(certificate);
     REQUIRE(shell.is_certified());
-    CHECK(shell.message() == "There is a certified shell.");
+    CHECK(shell.message() == "The shell is certified.");
     const BS::Certificate_report &before = two_shells().report().certificate, &after = shell.report().certificate;
     CHECK(after.components == before.components);
     CHECK(after.least_gradient == before.least_gradient);
-    CHECK(after.greatest_gradient == before.greatest_gradient);
+    CHECK(after.largest_gradient == before.largest_gradient);
     CHECK(after.displacement_bound == before.displacement_bound);
     CHECK(after.least_angle == before.least_angle);
     CHECK(are_same_paths(shell.component_paths(), two_shells().component_paths()));
@@ -166,11 +166,11 @@ TEST_CASE("certify: a map between meshes in different components never has the s
   CHECK(unknown(Mesh::Vertex_index(0)).status == Flow_status::LEAVES_SHELL);
   CHECK(partly(Mesh::Vertex_index(0)).status == Flow_status::SUCCESS);
   REQUIRE(BS::certify(shell, two_spheres()));
-  CHECK(status(near, far) == Flow_status::OTHER_COMPONENTS);
-  CHECK(status(near, two_spheres()) == Flow_status::OTHER_COMPONENTS);
+  CHECK(status(near, far) == Flow_status::COMPONENTS_DIFFER);
+  CHECK(status(near, two_spheres()) == Flow_status::COMPONENTS_DIFFER);
   CHECK(status(two_spheres(), two_spheres()) == Flow_status::SUCCESS);
   CHECK_FALSE(Map(shell, near, far).maps_points());
-  CHECK(Map(shell, near, far)(Mesh::Vertex_index(0)).status == Flow_status::OTHER_COMPONENTS);
+  CHECK(Map(shell, near, far)(Mesh::Vertex_index(0)).status == Flow_status::COMPONENTS_DIFFER);
 }
 
 TEST_CASE("certify: paths of a file that do not lead through the shell are ignored")
@@ -230,7 +230,7 @@ TEST_CASE("certify: a file with duplicate or missing component numbers certifies
     CHECK_FALSE(Certificate(shell).verify(far_sphere()));
     CHECK_FALSE(Certificate(shell).verify(two_spheres()));
     const Mesh near = near_sphere(), far = far_sphere();
-    CHECK(Map(shell, near, far).status() == Flow_status::OTHER_COMPONENTS);
+    CHECK(Map(shell, near, far).status() == Flow_status::COMPONENTS_DIFFER);
     CHECK_FALSE(BS::Shell_containment_3<Varying_shell::Field, Varying_shell::Threshold>(shell)(Point_3(4, 0, 0)));
   };
   check(with_paths([](Lines& paths) {
@@ -257,7 +257,7 @@ TEST_CASE("certify: a uniform shell is certified by its own mesh, but not by an 
   CHECK(BS::certify(shell, turned).verdict(BS::Claim::TRANSVERSALITY) == Verdict::REFUTED);
   CHECK_FALSE(shell.is_certified());
   REQUIRE(BS::certify(shell, mesh));
-  CHECK(shell.message() == "There is a certified shell.");
+  CHECK(shell.message() == "The shell is certified.");
   CHECK(shell.is_certified());
   CHECK_FALSE(BS::certify(shell, turned));
   CHECK(shell.is_certified());

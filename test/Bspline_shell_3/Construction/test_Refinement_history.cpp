@@ -29,14 +29,14 @@ TEST_CASE("Refinement history: refinement is in vain after too many rounds in a 
   const BS::Refinement_tuning tuning;
   BS::Refinement_history history(0, tuning);
   history.add_round(round_with(0, 5, 100), 1);
-  for(int n = 1; n < tuning.max_rounds_in_vain; ++n) {
+  for(int n = 1; n < tuning.max_stalled_rounds; ++n) {
     history.add_round(round_with(0, 5, 100), 1);
-    CHECK_FALSE(history.is_in_vain());
+    CHECK_FALSE(history.is_stalled());
   }
   SECTION("one more round without progress")
   {
     history.add_round(round_with(0, 9, 200), 2);
-    CHECK(history.is_in_vain());
+    CHECK(history.is_stalled());
   }
   SECTION("a round with progress resets the count")
   {
@@ -56,14 +56,14 @@ TEST_CASE("Refinement history: refinement is in vain after too many rounds in a 
     {
       history.add_round(round_with(1, 5, 100), 1);
     }
-    CHECK_FALSE(history.is_in_vain());
-    for(int n = 0; n < tuning.max_rounds_in_vain; ++n) history.add_round(round_with(0, 5, 100), 1);
-    CHECK(history.is_in_vain());
+    CHECK_FALSE(history.is_stalled());
+    for(int n = 0; n < tuning.max_stalled_rounds; ++n) history.add_round(round_with(0, 5, 100), 1);
+    CHECK(history.is_stalled());
   }
   SECTION("slightly fewer obstacles are no progress")
   {
     history.add_round(round_with(0, 5, 91), 0.91);
-    CHECK(history.is_in_vain());
+    CHECK(history.is_stalled());
   }
 }
 

@@ -59,7 +59,7 @@ void check_certified(const Mesh& mesh, const Shell& shell)
   CHECK(certificate.statistics().cover_boxes == shell.report().certificate.statistics.cover_boxes);
   CHECK(certificate.least_gradient() == shell.report().certificate.least_gradient);
   CHECK(certificate.displacement_bound() == shell.report().certificate.displacement_bound);
-  CHECK(certificate.report().greatest_gradient == shell.report().certificate.greatest_gradient);
+  CHECK(certificate.report().largest_gradient == shell.report().certificate.largest_gradient);
   CHECK(certificate.least_angle() == shell.report().certificate.least_angle);
   BS::Shell_containment_3<Shell::Field, Shell::Threshold> is_in_shell(shell);
   CHECK(is_in_shell(mesh));
@@ -153,7 +153,7 @@ TEST_CASE("Certified shells: copies share the bounds on cells, which outlive the
     CHECK(alone.verify(scaled) == (factor < 1.1));
     CHECK(sharing.bounds() == copy.cell_bounds());
     CHECK(alone.bounds() != copy.cell_bounds());
-    CHECK(sharing.report().greatest_gradient == alone.report().greatest_gradient);
+    CHECK(sharing.report().largest_gradient == alone.report().largest_gradient);
     CHECK(sharing.least_angle() == alone.least_angle());
     REQUIRE(sharing.facets().size() == alone.facets().size());
     for(std::size_t n = 0; n < sharing.facets().size(); ++n) {
@@ -295,16 +295,19 @@ TEST_CASE("Certified shells: each limit of refinement has a message")
   BS::Refinement_limit limit = { BS::Refinement_resource::NONE, 1200, 4.2e9 };
   CHECK(message(limit).empty());
   limit.resource = BS::Refinement_resource::MEMORY;
-  CHECK(
-    message(limit)
-    == "Another round of refinement would have 1200 cells, and take about 4200 MB: that is beyond the memory limit.");
+  CHECK(message(limit)
+        == "Another round of refinement would have 1200 cells and need about 4200 MB, which exceeds the memory limit: "
+           "raise it (memory_limit).");
   limit.resource = BS::Refinement_resource::NUMBERS;
-  CHECK(message(limit) == "Another round of refinement would have 1200 cells, and more unknowns than can be numbered.");
+  CHECK(message(limit)
+        == "Another round of refinement would have 1200 cells and more unknowns than can be numbered: request a "
+           "thicker shell.");
   limit.resource = BS::Refinement_resource::EFFORT;
   CHECK(message(limit)
-        == "Another round of refinement would have 1200 cells, and all rounds together more than the effort limit.");
+        == "Another round of refinement would have 1200 cells, and all rounds together would exceed the effort limit: "
+           "raise it (effort_limit).");
   limit.resource = BS::Refinement_resource::ROUNDS;
-  CHECK(message(limit) == "There were as many rounds of refinement as are allowed.");
+  CHECK(message(limit) == "The maximum number of refinement rounds was reached.");
 }
 
 TEST_CASE("Certified shells: constant thresholds are two levels, closer than the requested thickness")

@@ -60,7 +60,7 @@ TEST_CASE("Refinement plan: without any findings, nothing is refined")
   CHECK(plan.split.empty());
   CHECK(plan.at_gaps.empty());
   CHECK(plan.similar.empty());
-  CHECK(plan.nearer_to_zero.empty());
+  CHECK(plan.with_larger_weights.empty());
 }
 
 TEST_CASE("Refinement plan: neighbors are also refined if slopes fail or few fields are too large, but not if many are")
@@ -70,7 +70,7 @@ TEST_CASE("Refinement plan: neighbors are also refined if slopes fail or few fie
   BS::Round_findings found;
   SECTION("failing slopes")
   {
-    found.sloping = { middle };
+    found.cells_with_small_slopes = { middle };
     CHECK(plan_for(cells, found).split.size() == number_of_neighbors(3));
   }
   SECTION("few cells where the field is too large")
@@ -139,23 +139,23 @@ TEST_CASE("Refinement plan: the treatment of obstacles depends on their kind")
     const BS::Refinement_plan plan = plan_for(cells, found);
     CHECK(plan.split == Cells{ thick });
     CHECK(plan.at_gaps.empty());
-    CHECK(plan.nearer_to_zero.empty());
+    CHECK(plan.with_larger_weights.empty());
   }
-  SECTION("at narrow gaps, culprits are split instead, and the next field is pulled to zero in both cells")
+  SECTION("at narrow gaps, causing_cells are split instead, and the next field is pulled to zero in both cells")
   {
     found.kind = Obstacle_kind::NARROW_GAPS;
-    found.culprits = { culprit };
+    found.causing_cells = { culprit };
     found.similar = { thick };
     const BS::Refinement_plan plan = plan_for(cells, found);
     CHECK(plan.split == Cells{ culprit });
     CHECK(plan.at_gaps == Cells{ culprit });
     CHECK(plan.similar == Cells{ thick });
-    CHECK(
-      std::is_permutation(plan.nearer_to_zero.begin(), plan.nearer_to_zero.end(), Cells{ obstacle, culprit }.begin()));
+    CHECK(std::is_permutation(plan.with_larger_weights.begin(), plan.with_larger_weights.end(),
+                              Cells{ obstacle, culprit }.begin()));
   }
 }
 
-TEST_CASE("Refinement plan: at narrow gaps, cells with obstacles are refined if culprits are on the last level")
+TEST_CASE("Refinement plan: at narrow gaps, cells with obstacles are refined if causing_cells are on the last level")
 {
   Hierarchy cells = block();
   while(cells.number_of_levels() <= cells.max_level())
@@ -163,7 +163,7 @@ TEST_CASE("Refinement plan: at narrow gaps, cells with obstacles are refined if 
   const Index smallest = cells.first_leaf(cells.max_level());
   BS::Round_findings found;
   found.kind = Obstacle_kind::NARROW_GAPS;
-  found.culprits = { smallest };
+  found.causing_cells = { smallest };
   found.obstacles = obstacles_in({ 0 });
   CHECK_FALSE(plan_for(cells, found).split.empty());
   found.obstacles = obstacles_in({ smallest });

@@ -85,8 +85,9 @@ TEST_CASE("Obstacles: if a limit ends refinement, the report has the wall, its l
   CHECK(obstacles.front().gap == Approx(thickness).epsilon(1e-6));
   CHECK(std::is_sorted(obstacles.begin(), obstacles.end(), [](const auto& a, const auto& b) { return a.gap < b.gap; }));
   const std::string sentence = message(obstacles.front(), shell.report().unit);
-  CHECK(sentence.find("A wall of 0.2 % of the box at ") == 0);
-  CHECK(sentence.find("they may have to be as small as 0.1 %.") != std::string::npos);
+  CHECK(sentence.find("The wall at ") == 0);
+  CHECK(sentence.find(" is 0.2 % of the bounding box thick, and cells are ") != std::string::npos);
+  CHECK(sentence.find(" wide; cells of 0.1 % may be needed.") != std::string::npos);
 
   // A certified shell has no obstacles.
   const auto proved = CGAL::certified_bspline_shell_3(sphere(2), parameters::resolution(10.));
@@ -99,12 +100,12 @@ TEST_CASE("Obstacles: messages name a gap or a wall, or the missing proof if not
   BS::Refinement_obstacle o;
   o.point = { 1, 2, 3 };
   o.cell_width = 0.5;
-  CHECK(message(o, 10) == "No proof at 1 2 3, where cells are 5 % wide.");
+  CHECK(message(o, 10) == "The proof fails at 1 2 3, where cells are 5 % of the bounding box wide.");
   o.gap = 0.1;
   CHECK(message(o, 10)
-        == "A gap of 1 % of the box at 1 2 3, where cells are 5 % wide; they may have to be as small as 0.5 %.");
+        == "The gap at 1 2 3 is 1 % of the bounding box wide, and cells are 5 % wide; cells of 0.5 % may be needed.");
   o.is_wall = true;
   o.gap = 1;
-  CHECK(message(o, 10) == "A wall of 10 % of the box at 1 2 3, where cells are 5 % wide.");
+  CHECK(message(o, 10) == "The wall at 1 2 3 is 10 % of the bounding box thick, and cells are 5 % wide.");
 }
 } // namespace test_refinement_obstacles

@@ -149,7 +149,8 @@ void check_result(const BS::Remeshing_report& report, const AnyShell& shell, con
     const auto c = shell.field().locate(p);
     REQUIRE(c != AnyShell::Field::npos);
     const auto g = shell.field().cell(c).first_order_jet(p).gradient;
-    if(BS::fan_winding_number(mesh, v, p + Vector_3(g[0], g[1], g[2])) != 1) ++bad_fans;
+    const auto link = BS::internal::vertex_link(mesh, v);
+    if(BS::link_winding_number(p, p + Vector_3(g[0], g[1], g[2]), link) != 1) ++bad_fans;
   }
   CHECK(bad_fans == 0);
 }
@@ -355,7 +356,7 @@ TEST_CASE("Remeshing: a sizing function that is invalid between vertices is reje
     CHECK(report.status == Status::INVALID_PARAMETER);
     CHECK(std::string(report.invalid_parameter.name) == "target_edge_length");
     CHECK((report.invalid_parameter.value == wrong || std::isnan(wrong)));
-    CHECK(report.end == BS::Edit_end::NOT_EDITED);
+    CHECK(report.end == BS::Edit_termination::NOT_EDITED);
     CHECK(report.facets == start.number_of_faces());
     CHECK(is_equal(mesh, start));
   }
@@ -673,7 +674,7 @@ TEST_CASE("Remeshing: without iterations, edges are flipped, and nothing else ch
   const auto report = remesh(mesh, 0.2, sphere_shell(), P::number_of_iterations(0));
   check_result(report, sphere_shell(), mesh);
   CHECK(report.splits + report.collapses + report.moves == 0);
-  CHECK(report.end == BS::Edit_end::ITERATIONS);
+  CHECK(report.end == BS::Edit_termination::ITERATIONS);
   CHECK(mesh.number_of_vertices() == start.number_of_vertices());
   for(auto v : start.vertices()) CHECK(mesh.point(v) == start.point(v));
   CHECK(qualities(mesh).front() >= qualities(start).front());
@@ -708,7 +709,7 @@ TEST_CASE("Remeshing: the visitor is called in each iteration, and an edit that 
     visitor.most_iterations = 2;
     const auto result = remesh(mesh, visitor);
     REQUIRE(result);
-    CHECK(result.end == BS::Edit_end::VISITOR);
+    CHECK(result.end == BS::Edit_termination::VISITOR);
     CHECK(result.splits > 0);
     CHECK(BS::Shell_certificate_3<Shell::Field, Shell::Threshold>(sphere_shell()).verify(mesh));
     Mesh once = before;
@@ -720,7 +721,7 @@ TEST_CASE("Remeshing: the visitor is called in each iteration, and an edit that 
     visitor.most_operations = 200;
     const auto result = remesh(mesh, visitor);
     REQUIRE(result);
-    CHECK(result.end == BS::Edit_end::VISITOR);
+    CHECK(result.end == BS::Edit_termination::VISITOR);
     CHECK(visitor.iterations == 1);
     CHECK(visitor.operations == visitor.most_operations + 1);
   }
@@ -736,7 +737,7 @@ TEST_CASE("Remeshing: the visitor is called in each iteration, and an edit that 
 TEST_CASE("Remeshing: if all edges are near the target length, the report states this")
 {
   Mesh mesh = sphere(2); // edges of length 0.28 to 0.32
-  CHECK(remesh(mesh, 0.3, sphere_shell(), P::number_of_iterations(0)).end == BS::Edit_end::TARGET);
+  CHECK(remesh(mesh, 0.3, sphere_shell(), P::number_of_iterations(0)).end == BS::Edit_termination::TARGET);
 }
 
 TEST_CASE("Remeshing: in an extremely thin shell, most collapses are rejected, and the result is certified")
@@ -748,7 +749,7 @@ TEST_CASE("Remeshing: in an extremely thin shell, most collapses are rejected, a
     const auto report = remesh(mesh, target, shell);
     check_result(report, shell, mesh);
     CHECK(report.placements.number(Placement_verdict::LEAVES_SHELL) > 0);
-    CHECK(report.end == BS::Edit_end::SHELL);
+    CHECK(report.end == BS::Edit_termination::SHELL);
     if(target == 1.) CHECK(report.placements.number(Placement_verdict::LEAVES_SHELL) > 10 * report.collapses);
   }
 }
@@ -803,7 +804,7 @@ TEST_CASE("Remeshing: invalid input is rejected with a status, and left unchange
     CHECK((report.invalid_parameter.value == target || std::isnan(target)));
     CHECK_FALSE(report.invalid_parameter.bounds.contains(target));
     CHECK(report.message() == message(report.invalid_parameter));
-    CHECK(report.end == BS::Edit_end::NOT_EDITED);
+    CHECK(report.end == BS::Edit_termination::NOT_EDITED);
   }
   // The bound is the length with too many facets: about 5.4e9 / length^2.
   const double shortest = remesh(mesh = sphere(2), 1e-6, sphere_shell()).invalid_parameter.bounds.lower;

@@ -96,7 +96,7 @@ TEST_CASE("Shell of a soup: an open mesh is closed virtually, and wrongly orient
   const BS::Shell_of_soup_3 hollow = CGAL::certified_shell_of_soup_3(soup_of(two));
   REQUIRE(hollow.is_certified());
   CHECK(hollow.kind() == BS::Shell_kind::CLOSED);
-  CHECK(hollow.repairs.turned_components);
+  CHECK(hollow.repairs.reversed_components);
 }
 
 TEST_CASE("Near duplicates: points that are close to others, but not equal to them, are counted")
@@ -124,11 +124,11 @@ TEST_CASE("Shell of a soup: the message on polygons that are not a mesh counts p
   const BS::Shell_of_soup_3 shell = CGAL::certified_shell_of_soup_3(soup, parameters::relative_thickness(0.01));
   CHECK(shell.mesh_status == BS::Shell_status::NON_MANIFOLD);
   CHECK(shell.near_duplicates == 2);
-  CHECK(contains(shell.mesh_message(), "2 are closer"));
+  CHECK(contains(shell.mesh_message(), "2 points are closer"));
   CHECK(contains(report_of(shell), "\"near_duplicates\": 2"));
   REQUIRE(shell.is_certified());
-  CHECK(contains(shell.message(), "thicker than asked")); // the proxy is farther away
-  CHECK_FALSE(contains(shell.message(), "as thin as asked"));
+  CHECK(contains(shell.message(), "thicker than requested")); // the proxy is farther away
+  CHECK_FALSE(contains(shell.message(), "as thin as requested"));
 }
 
 TEST_CASE("Shell of a soup: a soup that is rejected as a mesh gets a proxy, and the reason is kept", "[slow]")
@@ -138,7 +138,7 @@ TEST_CASE("Shell of a soup: a soup that is rejected as a mesh gets a proxy, and 
   CHECK(strip.kind() == BS::Shell_kind::PROXY);
   CHECK(strip.mesh_status == BS::Shell_status::NOT_ORIENTABLE);
   CHECK(contains(strip.mesh_message(), "one-sided"));
-  CHECK_FALSE(contains(strip.mesh_message(), "take a proxy")); // there is a proxy already
+  CHECK_FALSE(contains(strip.mesh_message(), "build a proxy")); // there is a proxy already
   CHECK(CGAL::is_closed(strip.mesh()));
   BS::Shell_certificate_3<BS::Shell_of_soup_3::Shell::Field, BS::Shell_of_soup_3::Shell::Threshold> certificate(
     strip.shell());
@@ -183,7 +183,7 @@ TEST_CASE("Shell of a soup: the report of an uncertified shell has the limit tha
   REQUIRE_FALSE(result.is_certified());
   const std::string report = report_of(result);
   CHECK(contains(report, "\"limit\": \"Another round of refinement would have "));
-  CHECK(contains(report, " MB: that is beyond the memory limit.\""));
+  CHECK(contains(report, " MB, which exceeds the memory limit: raise it (memory_limit).\""));
   CHECK(contains(report, "\"obstacles\": ["));
 }
 

@@ -68,13 +68,13 @@ public:
     const bool makes_progress = round.thick_cells > 0 || round.failing_facets < m_fewest_facets
                                 || undecided_volume < m_tuning.progress * m_least_volume
                                 || double(round.undecided_cells) < m_tuning.progress * m_fewest_obstacles;
-    m_rounds_in_vain = makes_progress ? 0 : m_rounds_in_vain + 1;
+    m_stalled_rounds = makes_progress ? 0 : m_stalled_rounds + 1;
     m_least_volume = (std::min)(m_least_volume, undecided_volume);
     m_fewest_facets = (std::min)(m_fewest_facets, round.failing_facets);
     m_fewest_obstacles = (std::min)(m_fewest_obstacles, double(round.undecided_cells));
   }
   /// returns whether the last rounds made no progress
-  bool is_in_vain() const { return m_rounds_in_vain >= m_tuning.max_rounds_in_vain; }
+  bool is_stalled() const { return m_stalled_rounds >= m_tuning.max_stalled_rounds; }
 
   /// returns the cells of the facets that may still cause refinement
   std::vector<std::uint32_t> cells_worth_refining(const std::vector<Sloping_facet>& facets) const
@@ -122,7 +122,7 @@ private:
   std::vector<int> m_refinements; // by facet: how often it caused refinement
   double m_least_volume = std::numeric_limits<double>::infinity(), m_fewest_obstacles = m_least_volume;
   std::size_t m_fewest_facets = std::numeric_limits<std::size_t>::max();
-  int m_rounds_in_vain = 0;
+  int m_stalled_rounds = 0;
   bool m_were_very_many = false, m_are_gaps_narrow = false;
 };
 

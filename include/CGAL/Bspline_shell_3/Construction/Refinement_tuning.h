@@ -28,7 +28,7 @@ struct Refinement_tuning
   double largest_part = 0.75;
   /// @}
 
-  /// \name Corrections of slopes and values on the mesh (`Mended_field`)
+  /// \name Corrections of slopes and values on the mesh (`Corrected_field`)
   /// @{
 
   /// Number of times that a facet with a failing slope may cause refinement. More refinement is not expected to help.
@@ -102,7 +102,7 @@ struct Refinement_tuning
 
   /// Number of successive rounds without progress after which refinement ends. A round makes progress if it reduces the
   /// volume or the number of obstacles below `progress` times the smallest one so far.
-  int max_rounds_in_vain = 4;
+  int max_stalled_rounds = 4;
   double progress = 0.9;
   /// @}
 };

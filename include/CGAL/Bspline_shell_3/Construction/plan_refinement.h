@@ -27,14 +27,14 @@ struct Round_findings
 {
   typedef Cell_hierarchy_3::Index Index;
 
-  std::vector<Index> sloping;        ///< cells in which slopes still fail after corrections
-  std::vector<Index> thick;          ///< thick cells after corrections
-  bool are_many_thick = false;       ///< whether there are too many of them for corrections
-  std::vector<Index> thick_at_first; ///< thick and nearly thick cells before corrections, if many were thick
+  std::vector<Index> cells_with_small_slopes; ///< cells in which slopes still fail after corrections
+  std::vector<Index> thick;                   ///< thick cells after corrections
+  bool are_many_thick = false;                ///< whether there are too many of them for corrections
+  std::vector<Index> thick_at_first;          ///< thick and nearly thick cells before corrections, if many were thick
   std::vector<Threshold_obstacle> obstacles;
   Obstacle_kind kind = Obstacle_kind::FEW; ///< kind of the obstacles
-  std::vector<Index> culprits;             ///< at narrow gaps: cells where |f| leaves no room for thresholds
-  std::vector<Index> similar;              ///< cells that are similar to culprits (`similar_cells()`)
+  std::vector<Index> causing_cells;        ///< at narrow gaps: cells where |f| leaves no room for thresholds
+  std::vector<Index> similar;              ///< cells that are similar to causing_cells (`similar_cells()`)
   std::vector<Index> two_sheets;           ///< cells where two components of the mesh share a component of the shell
 };
 
@@ -47,10 +47,10 @@ struct Refinement_plan
 {
   typedef Cell_hierarchy_3::Index Index;
 
-  std::vector<Index> split;          ///< cells to split, ascending; empty if none can be split
-  std::vector<Index> at_gaps;        ///< cells to split repeatedly where gaps are far narrower than the cell
-  std::vector<Index> similar;        ///< cells to split as well, if the limits allow it
-  std::vector<Index> nearer_to_zero; ///< cells with a larger weight of the surface term in later fits
+  std::vector<Index> split;               ///< cells to split, ascending; empty if none can be split
+  std::vector<Index> at_gaps;             ///< cells to split repeatedly where gaps are far narrower than the cell
+  std::vector<Index> similar;             ///< cells to split as well, if the limits allow it
+  std::vector<Index> with_larger_weights; ///< cells with a larger weight of the surface term in later fits
 };
 
 /*!
@@ -77,7 +77,7 @@ inline Refinement_plan plan_refinement(const Cell_hierarchy_3& cells, const Roun
     for(Index c : chosen) marked.mark_widely(c, axes);
   };
 
-  mark_widely(found.sloping, all_axes);
+  mark_widely(found.cells_with_small_slopes, all_axes);
   if(found.are_many_thick) {
     mark(found.thick);
     mark(found.thick_at_first);
@@ -88,12 +88,12 @@ inline Refinement_plan plan_refinement(const Cell_hierarchy_3& cells, const Roun
   switch(found.kind) {
     case Obstacle_kind::THICK_FIELD: mark(found.thick_at_first); break;
     case Obstacle_kind::NARROW_GAPS:
-      mark(found.culprits);
-      if(marked.empty()) mark_widely(obstacles, all_axes); // culprits cannot be split further
-      plan.at_gaps = found.culprits;
+      mark(found.causing_cells);
+      if(marked.empty()) mark_widely(obstacles, all_axes); // causing_cells cannot be split further
+      plan.at_gaps = found.causing_cells;
       plan.similar = found.similar;
-      plan.nearer_to_zero = found.culprits;
-      plan.nearer_to_zero.insert(plan.nearer_to_zero.end(), obstacles.begin(), obstacles.end());
+      plan.with_larger_weights = found.causing_cells;
+      plan.with_larger_weights.insert(plan.with_larger_weights.end(), obstacles.begin(), obstacles.end());
       break;
     case Obstacle_kind::MANY: plan.at_gaps = obstacles; [[fallthrough]];
     case Obstacle_kind::FEW:

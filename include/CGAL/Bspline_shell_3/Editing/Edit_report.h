@@ -7,7 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_EDITING_EDIT_REPORT_H
 
 #include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
-#include <CGAL/Bspline_shell_3/Editing/Edit_end.h>
+#include <CGAL/Bspline_shell_3/Editing/Edit_termination.h>
 #include <CGAL/Bspline_shell_3/Editing/Edit_status.h>
 #include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
 #include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
@@ -28,8 +28,8 @@ namespace Bspline_shells {
 struct Edit_report
 {
   Edit_status status = Edit_status::NO_SHELL;
-  Edit_end end = Edit_end::NOT_EDITED; ///< why the edit ended, possibly before its target
-  Invalid_parameter invalid_parameter; ///< the rejected parameter, if the status is `INVALID_PARAMETER`
+  Edit_termination end = Edit_termination::NOT_EDITED; ///< why the edit ended, possibly before its target
+  Invalid_parameter invalid_parameter;                 ///< the rejected parameter, if the status is `INVALID_PARAMETER`
   /// the facets and vertices at which the mesh was not accepted before the edit; see `Edit_status::NOT_IN_SHELL`. The
   /// vertex of a truncated tip represents the triangles that replace the tip.
   Offending_simplices offending_simplices;
@@ -42,7 +42,7 @@ struct Edit_report
   std::size_t facets_before = 0, facets = 0;               ///< number of facets of the mesh before and after the edit
   std::size_t constrained_edges = 0;                       ///< number in the result; 0 if the mesh was not edited
   Placement_statistics placements;                         ///< number of placements that were tried, by verdict
-  /// the certificate of the result; with `EDITED_EXCEPT_FROZEN`, not all of its claims are proved
+  /// the certificate of the result; with `PARTIALLY_EDITED`, not all of its claims are proved
   Certificate_report certificate;
   /// whether the edit was undone and repeated with a proof for each facet. In the first run, facets were accepted
   /// without a proof if an estimate cleared them, and the certificate failed.

@@ -105,7 +105,7 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *         the gradient is rejected. If `true`, these facets are frozen: their vertices are neither moved nor removed,
  *         and their edges are not flipped, split, or collapsed. The facets at a vertex around which they do not wind
  *         exactly once are frozen as well, even if each of them is accepted. The other facets are edited; see
- *         `Edit_status::EDITED_EXCEPT_FROZEN`.}
+ *         `Edit_status::PARTIALLY_EDITED`.}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
@@ -164,7 +164,7 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
 
   typedef typename GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
   static_assert(std::is_same<typename Geom_traits::FT, double>::value,
-                "The coordinates must be doubles: others would be rounded.");
+                "The coordinates must be of type double: other types would be rounded.");
   typedef typename GetVertexPointMap<TriangleMesh, CGAL_NP_CLASS>::type Vertex_point_map;
   typedef typename boost::property_traits<Vertex_point_map>::value_type Point; // the mesh's
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;

@@ -120,7 +120,7 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *         the gradient is rejected. If `true`, these facets are frozen: their vertices are neither moved nor removed,
  *         and edges with a frozen vertex are not collapsed. The facets at a vertex around which they do not wind
  *         exactly once are frozen as well, even if each of them is accepted. The other facets are edited; see
- *         `Edit_status::EDITED_EXCEPT_FROZEN`.}
+ *         `Edit_status::PARTIALLY_EDITED`.}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
@@ -173,7 +173,7 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
 
   typedef typename GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
   static_assert(std::is_same<typename Geom_traits::FT, double>::value,
-                "The coordinates must be doubles: others would be rounded.");
+                "The coordinates must be of type double: other types would be rounded.");
   typedef typename GetVertexPointMap<TriangleMesh, CGAL_NP_CLASS>::type Vertex_point_map;
   typedef Edit_status Status;
 
@@ -200,7 +200,7 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
   const Status usable = internal::check_before_edits(mesh, vpm, shell);
   if(usable != Status::SUCCESS) return ended(usable);
 
-  auto&& visitor = internal::argument<Silent_collapse_visitor>(np, internal_np::visitor);
+  auto&& visitor = internal::argument<Default_collapse_visitor>(np, internal_np::visitor);
   // The rollback before a repetition must not be observable.
   constexpr bool may_repeat = is_default_parameter<CGAL_NP_CLASS, internal_np::visitor_t>::value
                               && is_default_parameter<CGAL_NP_CLASS, internal_np::filter_t>::value
@@ -256,7 +256,8 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
       };
       constexpr bool has_cost = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_cost_policy_t>::value;
       constexpr bool has_placement = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_placement_policy_t>::value;
-      static_assert(has_cost == has_placement, "Cost and placement belong together: give both, or none.");
+      static_assert(has_cost == has_placement,
+                    "Cost and placement belong together: pass both get_cost and get_placement, or neither.");
       if constexpr(has_cost) {
         collapse(get_parameter_reference(np, internal_np::get_cost_policy),
                  get_parameter_reference(np, internal_np::get_placement_policy));

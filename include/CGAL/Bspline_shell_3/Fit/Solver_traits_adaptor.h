@@ -38,7 +38,8 @@ public:
   typedef Eigen::SparseMatrix<double> Matrix;
   typedef Eigen::VectorXd Vector;
 
-  static_assert(std::is_same<typename SolverTraits::NT, double>::value, "The solver must compute with doubles.");
+  static_assert(std::is_same<typename SolverTraits::NT, double>::value,
+                "SolverTraits must have the number type double.");
 
   explicit Solver_traits_adaptor(const SolverTraits& traits = SolverTraits()) : m_traits(traits) {}
 

@@ -43,7 +43,7 @@ namespace Bspline_shells {
  * Certificates are not required, but the constructor compares the components of the meshes:
  * - If the shell is certified, and each mesh is closed or is closed by `Bspline_shell_3::closing()`, each mesh must
  *   have a vertex in each component of the shell, or be crossed by the paths through this component. Otherwise, the
- *   status is `OTHER_COMPONENTS`, and no points are mapped; if all paths through the component are degenerate, it is
+ *   status is `COMPONENTS_DIFFER`, and no points are mapped; if all paths through the component are degenerate, it is
  *   `COMPONENTS_UNKNOWN`.
  * - For other shells and meshes, segments through the shell are constructed at the largest facets of each component of
  *   the two meshes. If each component is crossed by such a segment that also crosses the other mesh, the status is
@@ -239,7 +239,7 @@ private:
     return target.traced_facets().is_closed() || has_border_of_closing(target);
   }
 
-  // Returns `OTHER_COMPONENTS` if a component of the shell contains no part of a mesh, `COMPONENTS_UNKNOWN` if all
+  // Returns `COMPONENTS_DIFFER` if a component of the shell contains no part of a mesh, `COMPONENTS_UNKNOWN` if all
   // paths through it are degenerate and no vertex is known to be in it, and otherwise `SUCCESS`.
   // \pre the shell is certified, and `is_closed()` holds
   template <typename Target>
@@ -270,7 +270,8 @@ private:
     const auto found = [&] {
       Flow_status worst = Flow_status::SUCCESS;
       for(std::size_t k = 0; k < is_missed.size(); ++k) {
-        const Flow_status status = match.crossings[k] ? Flow_status::OTHER_COMPONENTS : Flow_status::COMPONENTS_UNKNOWN;
+        const Flow_status status = match.crossings[k] ? Flow_status::COMPONENTS_DIFFER
+                                                      : Flow_status::COMPONENTS_UNKNOWN;
         if(is_missed[k]) worst = (std::max)(worst, status);
       }
       return worst;

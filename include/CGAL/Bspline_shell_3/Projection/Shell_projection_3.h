@@ -55,7 +55,7 @@ struct Projected_point
   /// distance of the point from the exact curve through the image: the error of the inverse map, measured across the
   /// curve. It exceeds the tolerance only where curves approach each other so closely that `double`s do not distinguish
   /// them.
-  double error_of_way_back = 0;
+  double error_of_inverse = 0;
   /// @}
   /// whether the image is the nearest point, because no curve leads to an image. Only projections between a polygon
   /// soup and its proxy yield such images (`Soup_projection_3`, `Proxy_projection_3`).
@@ -73,8 +73,8 @@ struct Projected_point
  *
  * If the mesh is certified (`Shell_certificate_3`), each curve meets it once, and every point in its components of the
  * shell has one image. Curves are traced in floating-point arithmetic, with steps that are small enough for a
- * tolerance; if the tolerance cannot be met, the status is `TOO_MANY_STEPS`. Curves to uncertified meshes are traced in
- * the same way while they stay in the shell. If such a curve meets the mesh several times, the image is one of these
+ * tolerance; if the tolerance cannot be met, the status is `TOLERANCE_NOT_MET`. Curves to uncertified meshes are traced
+ * in the same way while they stay in the shell. If such a curve meets the mesh several times, the image is one of these
  * points, on a facet that faces along the gradient: the normal and the gradient form an acute angle.
  *
  * Const member functions may be called concurrently. If many points are projected together, the search for an image
@@ -207,7 +207,7 @@ public:
     image.point = Point_3(x[0], x[1], x[2]);
     image.value = hit.value;
     image.error = hit.error.at_image;
-    image.error_of_way_back = hit.error.at_start;
+    image.error_of_inverse = hit.error.at_start;
     image.is_snapped = hit.is_beyond_border;
     return image;
   }

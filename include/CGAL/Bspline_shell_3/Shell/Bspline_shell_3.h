@@ -110,7 +110,7 @@ public:
   /// `Bspline_shells::certify()`, for example for a shell from a file. `Bspline_shells::Shell_certificate_3` examines
   /// other meshes in the shell.
   bool is_certified() const { return status() == Shell_status::SUCCESS && m_report.certificate.are_all_proved(); }
-  /// returns the outcome in one sentence: why there is no shell, or whether it is certified
+  /// returns the outcome in one or two sentences: why there is no shell, or whether it is certified
   std::string message() const
   {
     if(!*this) return Bspline_shells::message(status(), m_report.invalid_parameter);
@@ -118,14 +118,13 @@ public:
     const Refinement_status refinement = m_report.refinement;
     if(is_certified())
       return refinement == Refinement_status::CERTIFIED ? Bspline_shells::message(refinement)
-                                                        : "There is a certified shell.";
+                                                        : "The shell is certified.";
     if(refinement == Refinement_status::NOT_REFINED) return Bspline_shells::message(status());
     return refinement == Refinement_status::LIMIT_REACHED
-             ? "There is a shell that contains the mesh, but it is not certified: a limit of memory, effort or rounds "
-               "was reached. The report "
-               "has the places."
-             : "There is a shell that contains the mesh, but it is not certified: smaller cells would not help. The "
-               "report has the places.";
+             ? "The shell contains the mesh, but is not certified: a limit of memory, effort or rounds was reached. "
+               "The report lists this limit and the obstacles."
+             : "The shell contains the mesh, but is not certified: smaller cells would not help. The report lists the "
+               "obstacles.";
   }
   /// returns a flag for each cell of the field: whether the shell may intersect it (`Bspline_shells::Shell_component`)
   const std::vector<char>& shell_cells() const { return m_cells; }

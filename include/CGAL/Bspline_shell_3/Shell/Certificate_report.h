@@ -43,6 +43,23 @@ inline const char* name(Verdict verdict)
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
+ * \brief A place where a claim fails or is undecided.
+ */
+struct Witness
+{
+  /// exact, dyadic barycentric coordinates of the point, by the vertices of the triangle or the ends of the segment
+  std::array<double, 3> barycentric = {};
+  /// the point, rounded
+  std::array<double, 3> point = {};
+  /// encloses the value at the point: of the field, or of the derivative along the normal per user unit
+  Level_range value;
+  /// whether the point lies outside the field's domain
+  bool outside = false;
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Shell
+ *
  * \brief counts how often each method of a predicate decided.
  */
 struct Predicate_statistics
@@ -99,11 +116,11 @@ struct Certificate_witness
 {
   enum Reason
   {
-    FACET,          ///< the claim fails or is undecided on `facet`, at `point`
-    OUTSIDE,        ///< a `point` of `facet` lies outside the field's domain
-    CRITICAL_POINT, ///< the shell is proved to have a critical point within 1/10 of a cell's width of `point`
-    BOX,            ///< the claim is undecided in the box around `point` in the leaf `cell`
-    END_OF_DOMAIN,  ///< the shell may reach the boundary of the domain in the leaf `cell`
+    FACET,              ///< the claim fails or is undecided on `facet`, at `point`
+    OUTSIDE,            ///< a `point` of `facet` lies outside the field's domain
+    CRITICAL_POINT,     ///< the shell is proved to have a critical point within 1/10 of a cell's width of `point`
+    BOX,                ///< the claim is undecided in the box around `point` in the leaf `cell`
+    BOUNDARY_OF_DOMAIN, ///< the shell may reach the boundary of the domain in the leaf `cell`
     /// `component` and `other_component` of the mesh may lie in the same component of the shell; refuted if this is
     /// proved
     TWO_SHEETS,
@@ -113,8 +130,8 @@ struct Certificate_witness
     OTHER_COMPONENT,
     NO_PATH,   ///< no segment through `component` was found that proves the count; `facet` is one of its large facets
     CROSSINGS, ///< the path through `component` that passes through `facet` at `point` crosses the mesh `count` times
-    SHELL_CROSSINGS,   ///< a path through `component` of the shell, near `point`, crosses the mesh `count` times
-    CONTAINMENT_NEEDED ///< the claim was not examined because containment is not proved
+    SHELL_CROSSINGS,       ///< a path through `component` of the shell, near `point`, crosses the mesh `count` times
+    CONTAINMENT_NOT_PROVED ///< the claim was not examined because containment is not proved
   };
   static constexpr std::size_t none = std::size_t(-1);
 
@@ -141,14 +158,14 @@ inline const char* name(Certificate_witness::Reason reason)
     case Certificate_witness::OUTSIDE: return "outside";
     case Certificate_witness::CRITICAL_POINT: return "critical point";
     case Certificate_witness::BOX: return "box";
-    case Certificate_witness::END_OF_DOMAIN: return "end of domain";
+    case Certificate_witness::BOUNDARY_OF_DOMAIN: return "end of domain";
     case Certificate_witness::TWO_SHEETS: return "two sheets";
     case Certificate_witness::EMPTY_COMPONENT: return "empty component";
     case Certificate_witness::OTHER_COMPONENT: return "other component";
     case Certificate_witness::NO_PATH: return "no path";
     case Certificate_witness::CROSSINGS: return "crossings";
     case Certificate_witness::SHELL_CROSSINGS: return "crossings of the shell";
-    case Certificate_witness::CONTAINMENT_NEEDED: return "containment needed";
+    case Certificate_witness::CONTAINMENT_NOT_PROVED: return "containment needed";
   }
   return "";
 }
@@ -162,7 +179,7 @@ inline std::string place(const Certificate_witness& witness)
   out << witness.point[0] << " " << witness.point[1] << " " << witness.point[2];
   if(witness.facet == Certificate_witness::none) return out.str();
   if(witness.part == Surface_part::MESH) out << ", facet " << witness.facet;
-  else out << ", on a " << name(witness.part) << ", not on a facet of the mesh";
+  else out << ", on a " << name(witness.part);
   return out.str();
 }
 
@@ -219,7 +236,7 @@ struct Certificate_report
   /// a lower bound of \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved
   double least_gradient = 0;
   /// an upper bound of \f$|\nabla f|\f$ on the cells of the cover; infinite if there is none
-  double greatest_gradient = std::numeric_limits<double>::infinity();
+  double largest_gradient = std::numeric_limits<double>::infinity();
   /// an upper bound of the length of integral curves in the shell, in the units of the coordinates. It bounds the
   /// distance between a point and its image on any other certified mesh. Infinite if the gradient claim is not proved.
   /// `Shell_certificate_3::displacement_bounds()` returns a bound for each facet.

@@ -19,9 +19,9 @@ namespace Bspline_shells {
  */
 enum class Refinement_status
 {
-  NOT_REFINED,       ///< the shell was built on equal cells, or was read from a file
-  CERTIFIED,         ///< all claims are proved, and the shell is as thin as requested
-  NOTHING_TO_REFINE, ///< smaller cells are not expected to help, or made no progress; the certificate lists the places
+  NOT_REFINED, ///< the shell was built on equal cells, or was read from a file
+  CERTIFIED,   ///< all claims are proved, and the shell is as thin as requested
+  NO_PROGRESS, ///< smaller cells are not expected to help, or made no progress; the certificate lists the places
   /// a limit of memory, effort, or rounds was reached. All claims may be proved for a shell that is thicker than
   /// requested
   LIMIT_REACHED,
@@ -32,16 +32,18 @@ enum class Refinement_status
 inline const char* message(Refinement_status status)
 {
   switch(status) {
-    case Refinement_status::NOT_REFINED: return "Cells were not refined.";
-    case Refinement_status::CERTIFIED: return "All claims are proved, and the shell is as thin as asked.";
-    case Refinement_status::NOTHING_TO_REFINE:
-      return "What is not proved cannot be mended by smaller cells: see the witnesses of the certificate.";
+    case Refinement_status::NOT_REFINED: return "The cells were not refined.";
+    case Refinement_status::CERTIFIED: return "All claims are proved, and the shell is as thin as requested.";
+    case Refinement_status::NO_PROGRESS:
+      return "Smaller cells cannot help to prove the remaining claims: see the witnesses of the certificate.";
     case Refinement_status::LIMIT_REACHED:
-      return "A limit of memory, effort or rounds was reached before all claims were proved of a shell as thin as "
-             "asked.";
+      return "A limit of memory, effort or rounds was reached before all claims were proved for a shell as thin as "
+             "requested: raise the limit (memory_limit, effort_limit), or request a thicker shell.";
     case Refinement_status::DISTANCE_NOT_FINITE:
-      return "The signed-distance oracle returned a value that is infinite or not a number.";
-    case Refinement_status::SOLVER_FAILED: return "The linear solver did not reach its tolerance.";
+      return "The signed-distance oracle returned an infinite or NaN value: return a finite distance at every point.";
+    case Refinement_status::SOLVER_FAILED:
+      return "The linear solver failed: loosen its tolerance, use another solver (spd_solver), or raise the "
+             "resolution.";
   }
   return "";
 }

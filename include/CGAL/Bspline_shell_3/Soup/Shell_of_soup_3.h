@@ -51,10 +51,9 @@ inline const char* message_beside_proxy(Shell_status status)
 {
   switch(status) {
     case Shell_status::NON_MANIFOLD: return "The mesh is not manifold at the listed facets or vertices.";
-    case Shell_status::NOT_ORIENTABLE:
-      return "The mesh is one-sided, as it has no orientation that neighboring facets share.";
+    case Shell_status::NOT_ORIENTABLE: return "The mesh is one-sided, so its facets cannot be oriented consistently.";
     case Shell_status::NOT_CLOSABLE:
-      return "The mesh is open, and cannot be closed, by caps of its holes or a sheet behind it, at the listed facets.";
+      return "The mesh is open, and neither caps of its holes nor a sheet behind it can close it at the listed facets.";
     case Shell_status::SELF_INTERSECTION: return "The mesh intersects itself at the listed facets.";
     default: return message(status);
   }
@@ -115,8 +114,8 @@ struct Shell_of_soup_3
     std::string text = has_proxy ? internal::message_beside_proxy(mesh_status)
                                  : Bspline_shells::message(mesh_status, invalid_parameter);
     if(near_duplicates > 0)
-      text += " Of its points, " + std::to_string(near_duplicates)
-              + " are closer than 1e-6 of the box to another one: merge them.";
+      text += " In the input, " + std::to_string(near_duplicates)
+              + " points are closer to another point than 1e-6 of the bounding box: merge them.";
     return text;
   }
   /// returns the outcome in one or two sentences

@@ -30,17 +30,18 @@ struct Soup_repairs
   /// polygons with a repeated point, such as polygons with holes, which were triangulated, or from which the repetition
   /// was removed
   std::size_t split_polygons = 0;
-  std::size_t doubled_polygons = 0;  ///< polygons with the points of another polygon
-  std::size_t turned_polygons = 0;   ///< polygons reversed to have the orientation of their neighbors
-  std::size_t degenerate_facets = 0; ///< facets without area, whose edges were collapsed or flipped
-  bool turned_components = false;    ///< whether components were reversed to bound a volume
+  std::size_t duplicate_polygons = 0; ///< polygons with the points of another polygon
+  std::size_t reversed_polygons = 0;  ///< polygons reversed to have the orientation of their neighbors
+  std::size_t degenerate_facets = 0;  ///< facets without area, whose edges were collapsed or flipped
+  bool reversed_components = false;   ///< whether components were reversed to bound a volume
 
   /// returns whether no change was made
   bool is_none() const
   {
-    return merged_points + removed_polygons + split_polygons + doubled_polygons + turned_polygons + degenerate_facets
+    return merged_points + removed_polygons + split_polygons + duplicate_polygons + reversed_polygons
+               + degenerate_facets
              == 0
-           && !turned_components;
+           && !reversed_components;
   }
 };
 

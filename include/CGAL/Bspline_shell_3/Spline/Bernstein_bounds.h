@@ -28,7 +28,7 @@ namespace internal {
 template <std::size_t n>
 Level_range hull(const std::array<double, n>& b, double error)
 {
-  static_assert(n >= 4, "four numbers at a time");
+  static_assert(n >= 4, "There must be at least four numbers.");
   std::array<double, 4> least = { b[0], b[1], b[2], b[3] }, most = least, sum = least;
   const auto include = [&](std::size_t lane, double x) {
     least[lane] = (std::min)(least[lane], x);

@@ -33,20 +33,19 @@ enum class Arithmetic_status
 inline const char* message(Arithmetic_status status)
 {
   switch(status) {
-    case Arithmetic_status::SOUND: return "The arithmetic is sound.";
+    case Arithmetic_status::SOUND: return "Floating-point arithmetic is sound.";
     case Arithmetic_status::NOT_IEEE:
-      return "The type double is not that of IEEE 754: nothing can be proved on this platform.";
+      return "The type double does not have the arithmetic of IEEE 754: use another platform, or compile for SSE2 "
+             "(-mfpmath=sse).";
     case Arithmetic_status::FLUSHES_TO_ZERO:
-      return "Subnormal numbers are flushed to zero: compile without -ffast-math, and leave the mode alone.";
-    case Arithmetic_status::REORDERED: return "Floating point operations are reordered: compile without -ffast-math.";
+      return "Subnormal numbers are flushed to zero: compile without -ffast-math, and do not set flush-to-zero mode.";
+    case Arithmetic_status::REORDERED: return "Floating-point operations are reordered: compile without -ffast-math.";
     case Arithmetic_status::ROUNDING_MODE_IGNORED:
-      return "The compiler moves floating point operations across changes of the rounding mode: compile with "
-             "-frounding-math, which the target "
-             "CGAL::CGAL brings.";
+      return "The compiler moves floating-point operations across changes of the rounding mode: compile with "
+             "-frounding-math, as the CMake target CGAL::CGAL does.";
     case Arithmetic_status::NO_DIRECTED_ROUNDING:
-      return "The rounding mode has no effect on this platform: exact predicates fail. Compile with -frounding-math, "
-             "which the target "
-             "CGAL::CGAL brings.";
+      return "The rounding mode has no effect: compile with -frounding-math, as the CMake target CGAL::CGAL does, or "
+             "use another platform.";
   }
   return "";
 }

@@ -72,7 +72,7 @@ template <typename Point, typename Other>
 decltype(auto) converted(Other&& p)
 {
   static_assert(std::is_same<std::decay_t<decltype(p[0])>, double>::value,
-                "The coordinates must be doubles: others would be rounded.");
+                "The coordinates must be of type double: other types would be rounded.");
   if constexpr(!std::is_same<Point, std::decay_t<Other> >::value) return Point(p[0], p[1], p[2]);
   else return static_cast<std::conditional_t<std::is_lvalue_reference<Other>::value, const Point&, Point> >(p);
 }

@@ -29,14 +29,14 @@ inline const char* message(Level_set_status status)
   switch(status) {
     case Level_set_status::SUCCESS: return "The level set was extracted.";
     case Level_set_status::LEVEL_SET_EMPTY:
-      return "The field does not pass the level on the selected cells: choose a level between its least and largest "
-             "value there.";
+      return "The field does not reach the level on the selected cells: choose a level within the range of its values "
+             "there.";
     case Level_set_status::LEVEL_SET_LEAVES_CELLS:
-      return "The level set runs into the end of the selected cells, so that its mesh would have a border: select all "
-             "cells that it passes, or widen the band of cells.";
+      return "The level set leaves the selected cells, so its mesh would be open: select all cells that it intersects, "
+             "or build a shell with more rings of cells (number_of_rings).";
     case Level_set_status::LEVEL_SET_UNRESOLVED:
-      return "Surfaces of several components of the shell are closer together, or smaller, than subcells: ask for a "
-             "larger subdivision ratio.";
+      return "Surfaces of several components of the shell are closer together, or smaller, than subcells: increase the "
+             "subdivision ratio (subdivision_ratio).";
   }
   return "";
 }

@@ -51,7 +51,7 @@ template <typename Field, typename GeomTraits>
 class Field_evaluation
 {
   static_assert(std::is_same<typename GeomTraits::FT, double>::value,
-                "GeomTraits must be a kernel whose number type is double");
+                "GeomTraits must be a kernel with the number type double.");
 public:
   typedef GeomTraits Geom_traits;
   typedef typename GeomTraits::FT FT;

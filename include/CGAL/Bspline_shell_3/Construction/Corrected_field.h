@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_MENDED_FIELD_H
-#define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_MENDED_FIELD_H
+#ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_CORRECTED_FIELD_H
+#define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_CORRECTED_FIELD_H
 
 #include <CGAL/Bspline_shell_3/Construction/Examined_field.h>
 #include <CGAL/Bspline_shell_3/Construction/Fitted_field.h>
@@ -38,21 +38,21 @@ namespace Bspline_shells {
  * the mesh (`Slope_enforcement`).
  */
 template <typename ConcurrencyTag>
-class Mended_field
+class Corrected_field
 {
 public:
   typedef Refinement_problem::Field Field;
   typedef Field::Cell_index Index;
 
   /// \pre the arguments outlive this object
-  Mended_field(Refinement_problem& problem, Fitted_field<ConcurrencyTag>& fitted,
-               Examined_field<ConcurrencyTag>& examined, Refinement_budget& budget)
+  Corrected_field(Refinement_problem& problem, Fitted_field<ConcurrencyTag>& fitted,
+                  Examined_field<ConcurrencyTag>& examined, Refinement_budget& budget)
     : m_problem(problem), m_tuning(problem.parameters.tuning), m_fitted(fitted), m_examined(examined), m_budget(budget)
   {}
 
   /// corrects the field until all conditions are met or corrections no longer help.
-  /// \return `false` if too many conditions fail, which `sloping_facets()` then returns
-  bool mend()
+  /// \return `false` if too many conditions fail, which `facets_with_small_slopes()` then returns
+  bool correct()
   {
     if(!m_enforcement) begin();
     for(;;) {
@@ -65,14 +65,14 @@ public:
   }
 
   /// adds conditions, and corrects the field
-  bool mend(std::vector<Slope_condition> conditions)
+  bool correct(std::vector<Slope_condition> conditions)
   {
     m_enforcement->insert(std::move(conditions));
-    return mend();
+    return correct();
   }
 
   /// returns the facets across which the slope is still too small
-  const std::vector<Sloping_facet>& sloping_facets() const { return m_sloping; }
+  const std::vector<Sloping_facet>& facets_with_small_slopes() const { return m_sloping; }
 
   /// returns whether more cells are thick than corrections can handle
   bool are_many_thick() const
@@ -130,12 +130,12 @@ private:
                                         std::vector<Slope_condition>& conditions) const
   {
     for(const Facet_failure& f : failures)
-      if(can_be_mended(f))
+      if(can_be_corrected(f))
         conditions.push_back({ f.cell, f.facet, m_fitted.field()->cell(f.cell).local_coordinates(f.point),
                                m_fitted.clipped().normal(f.facet), wanted_slope(f.cell, f.facet) });
   }
 
-  bool can_be_mended(const Facet_failure& f) const
+  bool can_be_corrected(const Facet_failure& f) const
   {
     return f.cell != Field::npos && m_problem.wanted_slopes[f.facet] > 0;
   }
@@ -180,7 +180,7 @@ private:
     }
     m_budget.round().failing_facets = failures.size();
     for(const Facet_failure& f : failures)
-      if(can_be_mended(f)) m_sloping.push_back({ f.cell, f.facet });
+      if(can_be_corrected(f)) m_sloping.push_back({ f.cell, f.facet });
     return Outcome::MENDED;
   }
 
@@ -230,4 +230,4 @@ private:
 } // namespace Bspline_shells
 } // namespace CGAL
 
-#endif // CGAL_BSPLINE_SHELL_3_CONSTRUCTION_MENDED_FIELD_H
+#endif // CGAL_BSPLINE_SHELL_3_CONSTRUCTION_CORRECTED_FIELD_H

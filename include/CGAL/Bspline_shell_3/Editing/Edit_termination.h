@@ -3,15 +3,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_BSPLINE_SHELL_3_EDITING_EDIT_END_H
-#define CGAL_BSPLINE_SHELL_3_EDITING_EDIT_END_H
+#ifndef CGAL_BSPLINE_SHELL_3_EDITING_EDIT_TERMINATION_H
+#define CGAL_BSPLINE_SHELL_3_EDITING_EDIT_TERMINATION_H
 
 namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Editing
 /// the reason why an edit ended. With `SHELL` and the values after it, the target may not have been reached.
-enum class Edit_end
+enum class Edit_termination
 {
   NOT_EDITED,     ///< the mesh is unchanged: the status is the reason
   TARGET,         ///< remeshing: all edges have about the requested length
@@ -25,17 +25,20 @@ enum class Edit_end
 
 /// \ingroup PkgBsplineShell3Editing
 /// returns a sentence that describes the reason
-inline const char* message(Edit_end end)
+inline const char* message(Edit_termination end)
 {
   switch(end) {
-    case Edit_end::NOT_EDITED: return "The mesh was not edited.";
-    case Edit_end::TARGET: return "All edges have about the length asked for.";
-    case Edit_end::STOP_PREDICATE: return "The stop predicate ended the edit.";
-    case Edit_end::VISITOR: return "The visitor ended the edit.";
-    case Edit_end::SHELL: return "The shell rejects what would lead further: ask for a thicker shell.";
-    case Edit_end::FILTER: return "The filter allows no more.";
-    case Edit_end::MESH: return "The connectivity of the mesh, its constraints or frozen facets allow no more.";
-    case Edit_end::ITERATIONS: return "All iterations were done: more of them may lead further.";
+    case Edit_termination::NOT_EDITED: return "The mesh was not edited: see the status for the reason.";
+    case Edit_termination::TARGET: return "All edges have about the target length.";
+    case Edit_termination::STOP_PREDICATE: return "The stop predicate ended the edit.";
+    case Edit_termination::VISITOR: return "The visitor ended the edit.";
+    case Edit_termination::SHELL:
+      return "The shell rejects operations that would make progress: request a thicker shell.";
+    case Edit_termination::FILTER: return "The filter rejects operations that would make progress: relax the filter.";
+    case Edit_termination::MESH:
+      return "The connectivity of the mesh, its constraints or frozen facets prevent further operations.";
+    case Edit_termination::ITERATIONS:
+      return "All iterations were done: more iterations may make progress (number_of_iterations).";
   }
   return "";
 }
@@ -43,4 +46,4 @@ inline const char* message(Edit_end end)
 } // namespace Bspline_shells
 } // namespace CGAL
 
-#endif // CGAL_BSPLINE_SHELL_3_EDITING_EDIT_END_H
+#endif // CGAL_BSPLINE_SHELL_3_EDITING_EDIT_TERMINATION_H
