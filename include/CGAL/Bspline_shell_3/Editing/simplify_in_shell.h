@@ -149,9 +149,9 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *   decide. If the certificate then fails, and not because of the shell itself, the mesh is restored and simplified
  *   again with a proof for each facet (`Edit_report::is_repeated`). This is done only where the rollback cannot be
  *   observed: for a `Surface_mesh` without garbage, and without a visitor, a filter, frozen facets, and stop predicates
- *   other than `Facet_count_stop_predicate` and `Never_stop_predicate`. Otherwise, every created facet is proved at
- *   once. The costs of the policy are initialized again for the repetition, and a map of constrained edges has its
- *   original values.
+ *   other than `Facet_count_stop_predicate` and `Never_stop_predicate`. Otherwise, every created facet is proved
+ *   immediately. The costs of the policy are initialized again for the repetition, and a map of constrained edges has
+ *   its original values.
  *
  * \cgalHeading{Cost} For each facet at the new vertex, a collapse evaluates the field at a few points, or proves the
  *   facet with a bound for each cell that it passes through. The certificate takes as long as for any mesh in the
