@@ -101,7 +101,8 @@ def histogram(rows, key, title):
             bins = np.linspace(low, high if high > low else low * 1.01, 25)
         axes.hist(values, bins, color=BLUE)
         axes.yaxis.get_major_locator().set_params(integer=True)
-    return plot(draw, f"{title}; median {median(values.tolist()):,.3g}")
+    middle = median(values.tolist())
+    return plot(draw, f"{title}; median {middle:,.0f}" if middle >= 100 else f"{title}; median {middle:.3g}")
 
 
 def refusals(rows):
