@@ -157,6 +157,29 @@ TEST_CASE("Runs: only the thread that began the run calls the visitor, and polls
   CHECK(strangers == 0);
 }
 
+TEST_CASE("Runs: polls of another thread do not call the visitor, but end with the run")
+{
+  int calls = 0;
+  Run run(forever, [&] { return ++calls < 2; });
+  const auto poll_elsewhere = [&] {
+    bool has_ended = false;
+    std::thread([&] {
+      const Run::Scope scope(&run);
+      try {
+        for(int n = 0; n < 3; ++n) Run::poll();
+      } catch(const Run::Ended&) {
+        has_ended = true;
+      }
+    }).join();
+    return has_ended;
+  };
+  CHECK_FALSE(poll_elsewhere());
+  CHECK(calls == 0);
+  CHECK(poll(run, 2) == End::CANCELED);
+  CHECK(poll_elsewhere());
+  CHECK(calls == 2);
+}
+
 TEST_CASE("Runs: a visitor without go_on() is never called")
 {
   struct Old_visitor
