@@ -40,7 +40,7 @@ struct Recording_oracle
 
 } // namespace
 
-TEST_CASE("Remeshing: of vertices that are moved at the same time, none is in the star of another")
+TEST_CASE("Remeshing: no vertex is in the star of another one that is moved at the same time")
 {
   Mesh mesh = torus(1, 0.4, 24, 12);
   const Mesh before = mesh;

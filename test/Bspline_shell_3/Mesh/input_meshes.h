@@ -61,7 +61,7 @@ inline Mesh::Vertex_index vertex_at(const Mesh& mesh, const Point_3& p)
 {
   for(auto v : mesh.vertices())
     if(mesh.point(v) == p) return v;
-  FAIL("no vertex there");
+  FAIL("no vertex at this point");
   return Mesh::null_vertex();
 }
 

@@ -6,7 +6,7 @@ namespace test_Input_mesh_3 {
 
 using namespace input_meshes;
 
-TEST_CASE("Input_mesh_3 accepts a closed mesh and tells what it is")
+TEST_CASE("Input mesh: a closed mesh is accepted, with its box, unit, components and orientation")
 {
   Input_mesh_3 input;
   const Mesh mesh = box(Point_3(1, 2, 3), Point_3(3, 7, 4));
@@ -20,7 +20,7 @@ TEST_CASE("Input_mesh_3 accepts a closed mesh and tells what it is")
   CHECK(input.offending_simplices().vertices.empty());
 }
 
-TEST_CASE("A refusal leaves nothing behind for the next mesh")
+TEST_CASE("Input mesh: a rejected mesh does not affect the next one")
 {
   Input_mesh_3 input;
   REQUIRE(check(input, pyramid_over_U()) == Status::SINGULAR_VERTEX);

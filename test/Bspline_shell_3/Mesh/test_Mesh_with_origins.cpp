@@ -14,7 +14,7 @@ namespace test_Mesh_with_origins {
 
 using namespace input_meshes;
 
-TEST_CASE("EMPTY_MESH: no facet at all, whatever else there is")
+TEST_CASE("EMPTY_MESH is returned for a mesh without facets, even if it has points or removed facets")
 {
   Input_mesh_3 input;
   CHECK(check(input, Mesh()) == Status::EMPTY_MESH);
@@ -30,7 +30,7 @@ TEST_CASE("EMPTY_MESH: no facet at all, whatever else there is")
   CHECK(input.mesh().number_of_faces() == 0);
 }
 
-TEST_CASE("NOT_FINITE: names the vertices with infinite coordinates or none")
+TEST_CASE("NOT_FINITE: the vertices with NaN or infinite coordinates are reported")
 {
   typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Plain_mesh;
   Plain_mesh mesh;
@@ -47,8 +47,8 @@ TEST_CASE("NOT_FINITE: names the vertices with infinite coordinates or none")
   CHECK(input.offending_simplices().facets.empty());
 }
 
-TEST_CASE("Facets and vertices have the points of those that they come from, also after removals, beside isolated "
-          "vertices, and in another order")
+TEST_CASE(
+  "Input mesh: facets and vertices have their origin's points, despite removals, isolated vertices and reordering")
 {
   const Mesh plain = both(box(Point_3(0, 0, 0), Point_3(1, 2, 3)), sphere(1, 1, Point_3(5, 5, 5)));
   Mesh isolated = box(Point_3(0, 0, 0), Point_3(1, 2, 3));
@@ -80,7 +80,7 @@ TEST_CASE("Facets and vertices have the points of those that they come from, als
   }
 }
 
-TEST_CASE("Property maps of the user's mesh are left alone, whatever their names")
+TEST_CASE("Input mesh: property maps of the user's mesh are unchanged, whatever their names")
 {
   Mesh mesh = both(sphere(1), sphere(1, 1, Point_3(5, 5, 5)));
   auto component = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component", 7).first;
@@ -91,7 +91,7 @@ TEST_CASE("Property maps of the user's mesh are left alone, whatever their names
   CHECK_FALSE(input.mesh().property_map<Mesh::Face_index, std::size_t>("f:component").second);
 }
 
-TEST_CASE("Coordinates of a lazy kernel are rounded as the numbers that they stand for, whatever is known of them")
+TEST_CASE("Input mesh: lazy coordinates are rounded by their exact values, however wide their enclosures")
 {
   typedef CGAL::Exact_predicates_exact_constructions_kernel Lazy_kernel;
   typedef Lazy_kernel::FT Lazy;
@@ -118,7 +118,7 @@ TEST_CASE("Coordinates of a lazy kernel are rounded as the numbers that they sta
     CHECK(input.mesh().point(v) == ball.point(Mesh::Vertex_index(unsigned(input.vertex_of_origin(v)))));
 }
 
-TEST_CASE("Isolated vertices do not count")
+TEST_CASE("Input mesh: isolated vertices are ignored")
 {
   Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   mesh.add_vertex(Point_3(100, 100, 100));
@@ -129,7 +129,7 @@ TEST_CASE("Isolated vertices do not count")
   CHECK(input.number_of_components() == 1);
 }
 
-TEST_CASE("The points are those of the vertex point map")
+TEST_CASE("Input mesh: points are taken from the vertex point map")
 {
   const Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   std::unordered_map<Mesh::Vertex_index, Point_3> points;

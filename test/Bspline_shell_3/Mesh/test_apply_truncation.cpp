@@ -24,7 +24,7 @@ Status check_truncated(Input_mesh_3& input, const Mesh& mesh, const Truncation_p
 
 } // namespace
 
-TEST_CASE("Cores have the facets that they are parts of, and discs have none")
+TEST_CASE("Input mesh: cores have the facets that they are part of, and discs have none")
 {
   const Mesh mesh = sphere(1);
   const Truncation_parts parts = truncation_at(mesh, { Mesh::Vertex_index(0), Mesh::Vertex_index(5) }, true);
@@ -51,7 +51,7 @@ TEST_CASE("Cores have the facets that they are parts of, and discs have none")
   CHECK(input.number_of_facets_of_origin() == faces.size() + in_discs);
 }
 
-TEST_CASE("A tip that another facet pierces is refused, even if self-intersections are tolerated")
+TEST_CASE("Input mesh: a tip that another facet pierces is rejected, even if self-intersections are tolerated")
 {
   // The tip is beyond the disc, so the truncated mesh does not intersect itself.
   Mesh mesh = ::pyramid(4, 1);
@@ -65,7 +65,7 @@ TEST_CASE("A tip that another facet pierces is refused, even if self-intersectio
   CHECK(check_truncated(input, ::pyramid(4, 1), parts, tolerated) == Status::SUCCESS);
 }
 
-TEST_CASE("A truncation that does not make a surface of the mesh is refused, with the vertices that it cuts off")
+TEST_CASE("Input mesh: a truncation that does not yield a surface is rejected, and its cut-off vertices are reported")
 {
   const Mesh mesh = sphere(1);
   const Mesh::Vertex_index v(5);

@@ -39,7 +39,7 @@ Closing base_of_pyramid(const Closing::Point& below)
 
 } // namespace
 
-TEST_CASE("Each facet of a closed mesh belongs to the user's mesh or to the closing")
+TEST_CASE("Input mesh: each facet of a closed mesh belongs to the user's mesh or to the closing")
 {
   Input_mesh_3 input;
   REQUIRE(check_closed(input, open_pyramid(), base_of_pyramid({ 0, 0, -1 })) == Status::SUCCESS);
@@ -48,7 +48,7 @@ TEST_CASE("Each facet of a closed mesh belongs to the user's mesh or to the clos
   for(auto v : input.mesh().vertices()) CHECK((input.vertex_of_origin(v) < 5) == (input.mesh().point(v).z() >= 0));
 }
 
-TEST_CASE("A closing of another mesh is refused, and so is one that does not make a surface of the mesh")
+TEST_CASE("Input mesh: a closing that belongs to another mesh, or does not yield a surface, is rejected")
 {
   const Mesh mesh = open_pyramid();
   const Positions all = { 0, 1, 2, 3 }; // each facet has an edge on the border

@@ -6,7 +6,7 @@ namespace test_check_embedding {
 
 using namespace input_meshes;
 
-TEST_CASE("SELF_INTERSECTION: names the facets that cross, by the user's polygons")
+TEST_CASE("SELF_INTERSECTION: the facets that cross are reported, as polygons of the user's mesh")
 {
   // A spike from the inside of a box of quadrangles pierces its top.
   const Point_3 tip(0.5, 0.3, 3);
@@ -35,7 +35,7 @@ TEST_CASE("SELF_INTERSECTION: names the facets that cross, by the user's polygon
   }
 }
 
-TEST_CASE("SINGULAR_VERTEX: names the apex over a polygon without kernel")
+TEST_CASE("SINGULAR_VERTEX: the apex over a polygon with an empty kernel is reported")
 {
   Mesh mesh = pyramid_over_U();
   for(bool garbage : { false, true }) {

@@ -11,7 +11,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 } // namespace
 
-TEST_CASE("INCONSISTENT_ORIENTATION: names one facet of each component to be turned")
+TEST_CASE("INCONSISTENT_ORIENTATION: one facet of each component to be reversed is reported")
 {
   Input_mesh_3 input;
   const Mesh left = box(Point_3(0, 0, 0), Point_3(1, 1, 1)), right = box(Point_3(2, 0, 0), Point_3(3, 1, 1), false),
@@ -41,7 +41,7 @@ TEST_CASE("INCONSISTENT_ORIENTATION: names one facet of each component to be tur
   mend(both(both(outer, reversed(cavity)), reversed(core)), 1);
 }
 
-TEST_CASE("INCONSISTENT_ORIENTATION: a flat mesh bounds no volume, even if it may intersect itself")
+TEST_CASE("INCONSISTENT_ORIENTATION is returned for a flat mesh, which bounds no volume, even if it may self-intersect")
 {
   // Two triangles back to back, and a folded flat octahedron that is not orthogonal to any axis.
   Mesh flat = tetrahedron(Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(0, 4, 0), Point_3(1, 1, 0));
@@ -58,7 +58,7 @@ TEST_CASE("INCONSISTENT_ORIENTATION: a flat mesh bounds no volume, even if it ma
   CHECK(check(input, flat, tolerated) == Status::INCONSISTENT_ORIENTATION);
 }
 
-TEST_CASE("A mesh may be inside out, if all of it is")
+TEST_CASE("Input mesh: the whole mesh may be inside out")
 {
   Input_mesh_3 input;
   const Mesh hollow = both(sphere(1, 4), reversed(sphere(1, 2)));

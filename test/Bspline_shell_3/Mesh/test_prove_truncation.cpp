@@ -18,7 +18,7 @@ typedef BS::Shell_truncation_3 Truncation;
 typedef Truncation::Index Index;
 typedef Truncation_parts Parts;
 
-TEST_CASE("A truncation that is made by hand is proved")
+TEST_CASE("Truncation: a handmade truncation is proved valid")
 {
   CHECK(square_pyramid(false).is_valid());
   CHECK(square_pyramid(true).is_valid());
@@ -30,7 +30,7 @@ TEST_CASE("A truncation that is made by hand is proved")
   CHECK(t.new_facets()[8].disc == 0);
 }
 
-TEST_CASE("Each error in a truncation is found")
+TEST_CASE("Truncation: each error is detected")
 {
   const double infinity = std::numeric_limits<double>::infinity();
   const std::vector<std::function<void(Parts&)> > errors = {
@@ -95,7 +95,7 @@ TEST_CASE("Each error in a truncation is found")
   CHECK_FALSE(parts.is_valid());
 }
 
-TEST_CASE("Parts that overlap tile no facet")
+TEST_CASE("Truncation: overlapping parts do not tile a facet")
 {
   // A cut within the first facet is closer to the apex than the cuts on its edges, as the cores require.
   Parts parts = square_pyramid();
@@ -119,7 +119,7 @@ TEST_CASE("Parts that overlap tile no facet")
   }
 }
 
-TEST_CASE("A truncation whose disc and core have an edge in common is not valid: the mesh would have four facets at it")
+TEST_CASE("Truncation: a disc and a core must not share an edge, as the mesh would have four facets there")
 {
   // There are three cuts within the first facet. The core has the edge between the two outer ones.
   Parts parts = square_pyramid();
@@ -148,7 +148,7 @@ TEST_CASE("A truncation whose disc and core have an edge in common is not valid:
   CHECK_FALSE(with({ core(5, 6, 9), core(5, 9, 11), core(11, 9, 10) }));
 }
 
-TEST_CASE("A disc that goes on beyond its rim is none")
+TEST_CASE("Truncation: a disc must not extend beyond its rim")
 {
   Parts parts = square_pyramid();
   parts.planar = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 }, { 0, 3 } };
@@ -157,7 +157,7 @@ TEST_CASE("A disc that goes on beyond its rim is none")
   CHECK_FALSE(parts.is_valid());
 }
 
-TEST_CASE("Two discs with a point in common are not valid")
+TEST_CASE("Truncation: two discs must not share a point")
 {
   const Mesh mesh = subdivided(box(Point_3(0, 0, 0), Point_3(1, 1, 1)));
   Parts parts = truncation_at(mesh, { Mesh::Vertex_index(0), Mesh::Vertex_index(6) }, true);
@@ -170,7 +170,7 @@ TEST_CASE("Two discs with a point in common are not valid")
   CHECK_FALSE(parts.is_valid());
 }
 
-TEST_CASE("A facet with a vertex that is cut off must be cut there")
+TEST_CASE("Truncation: a facet with a vertex that is cut off must be cut there")
 {
   Parts parts = square_pyramid();
   parts.cut_facets.push_back({ 0, 1, 3 });
@@ -178,7 +178,7 @@ TEST_CASE("A facet with a vertex that is cut off must be cut there")
   CHECK_FALSE(parts.is_valid());
 }
 
-TEST_CASE("Facets with a common edge cut it in the same points")
+TEST_CASE("Truncation: facets with a common edge must cut it at the same points")
 {
   // Two edges connect the vertices 0 and 1, between four facets. Both vertices are cut off, and each edge is cut twice.
   const Index npos = Truncation::npos;
@@ -212,7 +212,7 @@ TEST_CASE("Facets with a common edge cut it in the same points")
   CHECK_FALSE(parts.is_valid());
 }
 
-TEST_CASE("A disc with a hole is none")
+TEST_CASE("Truncation: a disc must not have a hole")
 {
   Parts parts = square_pyramid();
   Truncation::Disc& disc = parts.discs[0];
@@ -232,7 +232,7 @@ TEST_CASE("A disc with a hole is none")
   CHECK(parts.is_valid());
 }
 
-TEST_CASE("A fan that winds twice is no tip")
+TEST_CASE("Truncation: a fan that winds twice cannot be a tip")
 {
   // five cuts in the order of a pentagram
   Parts parts;

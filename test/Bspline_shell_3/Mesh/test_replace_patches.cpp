@@ -70,7 +70,7 @@ void check_applied(bool has_point)
 
 } // namespace
 
-TEST_CASE("A truncation is applied to meshes of several types")
+TEST_CASE("Truncation: meshes of several types can be truncated")
 {
   for(bool has_point : { false, true }) {
     check_applied<Mesh>(has_point);
@@ -78,7 +78,7 @@ TEST_CASE("A truncation is applied to meshes of several types")
   }
 }
 
-TEST_CASE("A mesh that does not have all facets of a patch stays as it is")
+TEST_CASE("Truncation: a mesh that lacks a facet of a patch is left unchanged")
 {
   const Truncation t = square_pyramid().assembled();
   for(int change = 0; change < 3; ++change) {
@@ -125,7 +125,7 @@ void check_truncated(const Mesh& start, const std::vector<Mesh::Vertex_index>& c
 
 } // namespace
 
-TEST_CASE("Discs may share facets and edges, touch the border, and replace all vertices")
+TEST_CASE("Truncation: discs may share facets and edges, touch the border, and replace all vertices")
 {
   const Mesh ball = sphere(1);
   std::vector<Mesh::Vertex_index> all(ball.vertices().begin(), ball.vertices().end());
@@ -153,7 +153,7 @@ TEST_CASE("Discs may share facets and edges, touch the border, and replace all v
   check_truncated<CGAL::Polyhedron_3<Kernel> >(roof, { apex });
 }
 
-TEST_CASE("A patch of two discs is found as a whole, or not at all")
+TEST_CASE("Truncation: a patch of two discs is matched as a whole or not at all")
 {
   const Mesh ball = sphere(1);
   const Mesh::Vertex_index v(0), beside = ball.source(ball.halfedge(v));
@@ -171,7 +171,7 @@ TEST_CASE("A patch of two discs is found as a whole, or not at all")
   CHECK(std::count(found.begin(), found.end(), Mesh::null_halfedge()) == std::ptrdiff_t(found.size()));
 }
 
-TEST_CASE("A vertex with the same neighbors in another order, or with more facets, has another patch")
+TEST_CASE("Truncation: a vertex with reordered neighbors or additional facets does not match the patch")
 {
   const Mesh start = pyramid(5, 1);
   const Truncation t = truncation_at(start, { Mesh::Vertex_index(0) }, false).assembled();
@@ -216,7 +216,7 @@ TEST_CASE("A vertex with the same neighbors in another order, or with more facet
   CHECK_FALSE(is_found(fin));
 }
 
-TEST_CASE("Only triangles that triangulate a polygon cut it")
+TEST_CASE("Truncation: a polygon is only cut into triangles that triangulate it")
 {
   typedef std::vector<std::pair<Truncation::Triangle, std::size_t> > Triangles;
   const auto is_cut = [](const Triangles& triangles) {
@@ -239,7 +239,7 @@ TEST_CASE("Only triangles that triangulate a polygon cut it")
   CHECK_FALSE(is_cut({ { { 0, 1, 3 }, 0 }, { { 0, 2, 3 }, 1 }, { { 0, 3, 4 }, 2 } }));
 }
 
-TEST_CASE("A truncation that is not valid leaves every mesh as it is")
+TEST_CASE("Truncation: an invalid truncation leaves every mesh unchanged")
 {
   Parts parts = square_pyramid();
   parts.cores.pop_back();

@@ -8,7 +8,7 @@ namespace test_validate_mesh {
 
 using namespace input_meshes;
 
-TEST_CASE("OPEN_MESH: names the facets at the border, also of polygons and after removals")
+TEST_CASE("OPEN_MESH: the facets at the border are reported, even of polygons and after removals")
 {
   Input_mesh_3 input;
   for(bool triangulated : { false, true }) {
@@ -27,7 +27,7 @@ TEST_CASE("OPEN_MESH: names the facets at the border, also of polygons and after
   }
 }
 
-TEST_CASE("NON_MANIFOLD: names the vertex in which two closed surfaces touch")
+TEST_CASE("NON_MANIFOLD: the vertex at which two closed surfaces touch is reported")
 {
   // Two tetrahedra are joined at a common apex. The unused vertex is removed, so positions shift.
   const Mesh lower = tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, -1), Point_3(0, 1, -1), Point_3(-1, -1, -1));
@@ -48,7 +48,7 @@ TEST_CASE("NON_MANIFOLD: names the vertex in which two closed surfaces touch")
   CHECK(input.offending_simplices().facets.empty());
 }
 
-TEST_CASE("DEGENERATE_FACET: names triangles and polygons without area, and only these")
+TEST_CASE("DEGENERATE_FACET: exactly the triangles and polygons of zero area are reported")
 {
   // The edge pq of a tetrahedron gets `cuts` points. Then the facet on its left side is cut along pq.
   for(int cuts : { 1, 2 }) {
@@ -78,7 +78,7 @@ TEST_CASE("DEGENERATE_FACET: names triangles and polygons without area, and only
   }
 }
 
-TEST_CASE("DEGENERATE_FACET: an area of one part in 10^300 is one")
+TEST_CASE("DEGENERATE_FACET is not returned for a positive area, even of one part in 10^300")
 {
   const double tiny = std::ldexp(1., -1000);
   Input_mesh_3 input;
@@ -93,7 +93,7 @@ TEST_CASE("DEGENERATE_FACET: an area of one part in 10^300 is one")
         }));
 }
 
-TEST_CASE("COORDINATES_OUT_OF_RANGE: too large or too small for products of doubles")
+TEST_CASE("COORDINATES_OUT_OF_RANGE is returned if coordinates are too large or too small for products of doubles")
 {
   const auto scaled = [](double s) {
     return tetrahedron(Point_3(0, 0, 0), Point_3(s, 0, 0), Point_3(0, s, 0), Point_3(0, 0, s));
@@ -109,7 +109,7 @@ TEST_CASE("COORDINATES_OUT_OF_RANGE: too large or too small for products of doub
   }
 }
 
-TEST_CASE("Triangles of a polygon keep their facet of origin")
+TEST_CASE("Input mesh: triangles of a polygon keep their facet of origin")
 {
   Mesh mesh = both(box(Point_3(0, 0, 0), Point_3(1, 2, 3), false), sphere(0, 1, Point_3(5, 5, 5)));
   for(bool garbage : { false, true }) {

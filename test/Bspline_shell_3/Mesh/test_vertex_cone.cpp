@@ -68,7 +68,7 @@ Vector_3 mean_normal(const Mesh& mesh, Mesh::Vertex_index v)
 
 } // namespace
 
-TEST_CASE("A vertex with the least positive cone margin is not singular")
+TEST_CASE("Input mesh: a vertex with a tiny positive cone margin is not singular")
 {
   for(int exponent : { 3, 20, 40 }) {
     CAPTURE(exponent);
@@ -92,7 +92,7 @@ TEST_CASE("A vertex with the least positive cone margin is not singular")
   CHECK_FALSE(vertex_cone(no_kernel, vertex_at(no_kernel, Point_3(3, 4, 2))));
 }
 
-TEST_CASE("vertex_cone finds a direction at every vertex of ordinary meshes, at any scale")
+TEST_CASE("Input mesh: vertex_cone() finds a direction at every vertex of an ordinary mesh, at any scale")
 {
   for(double scale : { 1., std::ldexp(1., -400), std::ldexp(1., 300) }) {
     CAPTURE(scale);

@@ -40,7 +40,7 @@ std::array<double, 3> random_barycentric(std::mt19937& random)
 
 } // namespace
 
-TEST_CASE("The map of a truncation fixes what is not cut off, and returns")
+TEST_CASE("Truncation: the map fixes all points that are not cut off, and is undone by its inverse")
 {
   for(bool has_point : { false, true }) {
     const auto truncation = square_pyramid(has_point).shared();
@@ -69,7 +69,7 @@ TEST_CASE("The map of a truncation fixes what is not cut off, and returns")
   }
 }
 
-TEST_CASE("The map of a truncation is one-to-one: it covers each disc once")
+TEST_CASE("Truncation: the map is one-to-one, and covers each disc once")
 {
   const auto truncation = square_pyramid(true).shared();
   const Truncation& t = *truncation;
@@ -102,7 +102,7 @@ TEST_CASE("The map of a truncation is one-to-one: it covers each disc once")
   CHECK(area == Approx(expected).epsilon(1e-9));
 }
 
-TEST_CASE("The derivative of the map is that of differences")
+TEST_CASE("Truncation: the derivative of the map agrees with finite differences")
 {
   const auto truncation = square_pyramid(true).shared();
   const Truncation& t = *truncation;

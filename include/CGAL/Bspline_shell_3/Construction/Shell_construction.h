@@ -45,13 +45,12 @@ Input_mesh_3::Tolerated_defects tolerated_defects(const NamedParameters& np)
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the part that all constructions of shells share: the checked mesh, the lattice of cells, and a report with the
- * time of each step.
+ * \brief the common part of the two constructions of shells: the checked mesh, the lattice of cells, and a report with
+ * the time of each step.
  */
 class Shell_construction
 {
 public:
-  /// \tparam Visitor a model of `ShellVisitor`
   /// \param max_seconds time limit of `run()`, measured from now on
   /// \pre `visitor` outlives this object
   template <typename Visitor>

@@ -27,7 +27,7 @@ namespace internal {
 // \return the reason why edges may differ from the target length
 template <typename ConcurrencyTag, typename Guarded, typename Projection, typename Visitor>
 Edit_termination remesh(Guarded& guarded, unsigned int iterations, unsigned int relaxations, const Projection& project,
-                Visitor& visitor)
+                        Visitor& visitor)
 {
   bool has_rejected = false; // whether the oracle rejected a split or a collapse in the last iteration
   for(unsigned int i = 0; i < iterations && !guarded.has_ended(); ++i) {
