@@ -19,12 +19,12 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Closing
-/// Closing of an open mesh, or the reason why there is none and the facets that cause it.
+/// the closing of an open mesh, or the reason why there is none and the facets that cause it
 struct Virtual_closing
 {
   Shell_status status = Shell_status::NOT_CLOSABLE;
   std::vector<Mesh_with_origins::Face_index> offending_facets;
-  std::shared_ptr<const Shell_closing_3> closing; ///< Not null on success.
+  std::shared_ptr<const Shell_closing_3> closing; ///< not null if the status is `SUCCESS`
 };
 
 /*!

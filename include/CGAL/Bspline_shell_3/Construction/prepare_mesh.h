@@ -16,12 +16,12 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Construction
-/// validates, closes and truncates a copy of a mesh.
-/// \param mesh the copy, unless it is refused
+/// validates, closes, and truncates a copy of a mesh.
+/// \param mesh the result of `copy_mesh()`
 /// \param tolerated defects that are not checked
 /// \param parameters how the mesh is closed and truncated
 /// \param[out] report how the mesh was closed and truncated
-/// \return the mesh, or the reason why it is refused
+/// \return the mesh, or the reason why it is rejected
 template <typename ConcurrencyTag>
 Input_mesh_3 prepare_mesh(Mesh_with_origins mesh, const Input_mesh_3::Tolerated_defects& tolerated,
                           const Certified_shell_parameters& parameters, Shell_report& report);

@@ -7,10 +7,15 @@
 #define CGAL_BSPLINE_SHELL_3_EDITING_REMESH_IN_SHELL_H
 
 #include <CGAL/Bspline_shell_3/Editing/Edit_result.h>
+#include <CGAL/Bspline_shell_3/Editing/Edit_termination.h>
 #include <CGAL/Bspline_shell_3/Editing/Remeshing_report.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Guarded_mesh.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Remeshing_tuning.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/collapse_short_edges.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/edit_under_proof.h>
-#include <CGAL/Bspline_shell_3/Editing/internal/remesh.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/flip_edges.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/relax_vertices.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/split_long_edges.h>
 #include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_projection_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
@@ -33,6 +38,41 @@
 
 namespace CGAL {
 namespace Bspline_shells {
+
+namespace internal {
+
+// Remeshes a `Guarded_mesh`. Edges are processed in an order that depends on lengths and, for equal lengths, on the
+// order of the mesh, but never on addresses.
+// \param project moves a point to the surface
+// \return the reason why edges may differ from the target length
+template <typename ConcurrencyTag, typename Guarded, typename Projection, typename Visitor>
+Edit_termination remesh(Guarded& guarded, unsigned int iterations, unsigned int relaxations, const Projection& project,
+                        Visitor& visitor)
+{
+  bool has_rejected = false; // whether the oracle rejected a split or a collapse in the last iteration
+  for(unsigned int i = 0; i < iterations && !guarded.has_ended(); ++i) {
+    if(!visitor.start_iteration(i)) guarded.end();
+    flip_to_larger_angles(guarded);
+    const std::size_t rejected_before = guarded.rejected();
+    split_long_edges(guarded);
+    collapse_short_edges(guarded);
+    has_rejected = guarded.rejected() > rejected_before;
+    flip_to_regular_valences(guarded);
+    for(unsigned int j = 0; j < relaxations; ++j) relax_vertices<ConcurrencyTag>(guarded, project);
+  }
+  flip_to_larger_angles(guarded);
+
+  const auto& mesh = guarded.mesh;
+  const auto is_about_right = [&](auto e) {
+    const double length = guarded.relative_length(halfedge(e, mesh));
+    return guarded.frozen.has_edge(e) || (length >= remeshing_tuning.shortest && length <= remeshing_tuning.longest);
+  };
+  if(std::all_of(edges(mesh).begin(), edges(mesh).end(), is_about_right)) return Edit_termination::TARGET;
+  if(guarded.has_ended()) return Edit_termination::VISITOR;
+  return has_rejected ? Edit_termination::SHELL : Edit_termination::ITERATIONS;
+}
+
+} // namespace internal
 
 /*!
  * \ingroup PkgBsplineShell3Editing

@@ -24,7 +24,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Copy of a user's mesh, checked against the requirements of a shell: triangles with `double` coordinates, each
+ * \brief a copy of a user's mesh that satisfies the requirements of a shell: triangles with `double` coordinates, each
  * with its facet of origin.
  *
  * Other coordinates are rounded to `double`s, and all statements refer to the rounded mesh. Elements are numbered in
@@ -36,25 +36,25 @@ public:
   typedef Mesh_with_origins::Triangle_mesh Triangle_mesh;
   typedef Mesh_with_origins::Face_index Face_index;
 
-  /// Defects that the caller accepts.
+  /// defects that the caller accepts
   struct Tolerated_defects
   {
     bool self_intersections = false;
     bool singular_vertices = false;
-    bool orientation = false; // components may fail to bound a volume together; `faces_outwards()` has no meaning then
+    bool orientation = false; ///< components may fail to bound a volume together; `faces_outwards()` is then undefined
   };
 
   Input_mesh_3() = default;
 
-  /// Copies, triangulates and checks the mesh.
+  /// copies, triangulates, closes, truncates, and checks a mesh.
   /// \tparam FaceGraph a model of `FaceListGraph`
   /// \tparam VertexPointMap a model of `ReadablePropertyMap` from its vertices to points of a \cgal kernel
   /// \param mesh the mesh
   /// \param vpm its points
   /// \param tolerated defects that are not checked
-  /// \param closing closes the mesh if it is open; without it, open meshes are rejected
-  /// \param truncation is applied if the mesh has facets that it cuts; may be null. Self-intersections are not
-  ///   tolerated then.
+  /// \param closing closes the mesh if it is open; if it is null, open meshes are rejected
+  /// \param truncation replaces the patches that the mesh has; may be null. Self-intersections of a mesh with patches
+  ///   are not tolerated.
   template <typename ConcurrencyTag, typename FaceGraph, typename VertexPointMap>
   Shell_status build(const FaceGraph& mesh, VertexPointMap vpm, const Tolerated_defects& tolerated,
                      std::shared_ptr<const Shell_closing_3> closing = nullptr,
@@ -64,40 +64,41 @@ public:
                                  std::move(truncation));
   }
 
-  /// Checks a mesh that was validated, closed and truncated, unless it was refused, and finds its components.
+  /// takes a mesh that was validated, closed, and truncated, unless it was rejected. Finds its components, and checks
+  /// its orientation and its vertices.
   /// \param mesh the mesh
   /// \param tolerated defects that are not checked
   template <typename ConcurrencyTag>
   Shell_status take(Mesh_with_origins mesh, const Tolerated_defects& tolerated);
 
-  /// Status of the last call of `build()` or `take()`. Unless it is `SUCCESS`, the mesh is empty.
+  /// returns the status of the last call of `build()` or `take()`. Unless it is `SUCCESS`, the mesh is empty.
   Shell_status status() const { return m_mesh.refusal.status; }
   const Triangle_mesh& mesh() const { return m_mesh.mesh; }
-  /// Closing of the user's mesh, or null if that mesh is closed. Its triangles follow those of the mesh, and count as
-  /// facets of origin.
+  /// returns the closing of the user's mesh, or null if that mesh is closed. Its triangles follow those of the mesh,
+  /// and count as facets of origin.
   const std::shared_ptr<const Shell_closing_3>& closing() const { return m_mesh.closing; }
-  /// Truncation of the user's mesh, which has been applied to this mesh; null if no tip is replaced.
+  /// returns the truncation of the user's mesh, which has been applied to this mesh, or null if no tip is replaced
   const std::shared_ptr<const Shell_truncation_3>& truncation() const { return m_mesh.truncation; }
-  /// Returns the facet of the user's mesh (position in `faces(mesh)`) that a triangle is part of. Larger numbers denote
+  /// returns the facet of the user's mesh (position in `faces(mesh)`) that a triangle is part of. Larger numbers denote
   /// triangles of the closing, followed by triangles of discs: see `part_of_facet()`.
   std::size_t facet_of_origin(Face_index f) const { return m_mesh.facet_origin[f]; }
-  /// Returns the part of the surface that a facet of origin belongs to.
+  /// returns the part of the surface that a facet of origin belongs to
   Surface_part part_of_facet(std::size_t facet) const { return m_mesh.part_of_facet(facet); }
-  /// Number of facets of origin, including triangles of the closing and of discs.
+  /// returns the number of facets of origin, including triangles of the closing and of discs
   std::size_t number_of_facets_of_origin() const { return m_mesh.number_of_facet_origins; }
-  /// Smallest box around the facets.
+  /// returns the smallest box around the facets
   const Bbox_3& bbox() const { return m_mesh.bbox; }
-  /// Length of the longest side of the box: the paper's unit.
+  /// returns the length of the longest side of the box
   double unit() const { return m_mesh.unit(); }
   std::size_t number_of_components() const { return m_number_of_components; }
-  /// Returns the connected component of a triangle. Components are numbered in the order of their first facets in the
+  /// returns the connected component of a triangle. Components are numbered in the order of their first facets in the
   /// user's mesh.
   std::size_t component(Face_index f) const { return m_component[f]; }
-  /// `false` if the facets face the bounded side; the field then increases inwards. For a self-intersecting mesh:
-  /// whether its volume is positive.
+  /// returns `false` if the facets face the bounded side; the field then increases inwards. For a self-intersecting
+  /// mesh, returns whether its volume is positive.
   bool faces_outwards() const { return m_outwards; }
   const Offending_simplices& offending_simplices() const { return m_mesh.refusal.offending_simplices; }
-  /// Returns the vertex of the user's mesh (position in `vertices(mesh)`) for a vertex of this mesh. Larger numbers
+  /// returns the vertex of the user's mesh (position in `vertices(mesh)`) for a vertex of this mesh. Larger numbers
   /// denote vertices of the closing, followed by vertices of discs.
   std::size_t vertex_of_origin(Triangle_mesh::Vertex_index v) const { return m_mesh.vertex_origin[v]; }
   std::array<Mesh_with_origins::Kernel::Point_3, 3> triangle(Face_index f) const { return m_mesh.triangle(f); }

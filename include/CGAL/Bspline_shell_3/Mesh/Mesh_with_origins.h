@@ -34,24 +34,24 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief The reason why a mesh is refused, with the facets or vertices of the user's mesh that cause it. The status is
- * `SUCCESS` if the mesh is not refused.
+ * \brief the reason why a mesh is rejected, with the facets or vertices of the user's mesh that cause it. The status is
+ * `SUCCESS` if the mesh is not rejected.
  */
 struct Mesh_refusal
 {
   Shell_status status = Shell_status::SUCCESS;
   Offending_simplices offending_simplices;
 
-  explicit operator bool() const { return status != Shell_status::SUCCESS; } ///< Returns whether the mesh is refused.
+  explicit operator bool() const { return status != Shell_status::SUCCESS; } ///< returns whether the mesh is rejected
 };
 
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Copy of a user's mesh, which may be closed and truncated, and the origins of its elements.
+ * \brief a copy of a user's mesh, which may be closed and truncated, and the origins of its elements.
  *
- * Origins are positions in the ranges of the user's mesh. Larger numbers denote elements of the closing, followed by
- * elements of discs.
+ * The origin of an element is its position in `faces(mesh)` or `vertices(mesh)` of the user's mesh. Larger numbers
+ * denote elements of the closing, followed by elements of discs.
  */
 struct Mesh_with_origins
 {
@@ -62,17 +62,18 @@ struct Mesh_with_origins
 
   Mesh_refusal refusal = { Shell_status::NOT_BUILT, {} };
   Triangle_mesh mesh;
-  std::vector<std::size_t> facet_origin, vertex_origin;                  ///< By facet, by vertex.
-  std::size_t user_facets = 0, user_vertices = 0;                        ///< Numbers of elements of the user's mesh.
-  std::size_t number_of_facet_origins = 0, number_of_vertex_origins = 0; ///< These, and those of closing and discs.
-  std::vector<char> is_embedded;                  ///< By vertex, whether its fan is proved embedded; empty if unknown.
-  Bbox_3 bbox;                                    ///< Smallest box around the facets.
-  std::shared_ptr<const Shell_closing_3> closing; ///< Null if the user's mesh is closed.
-  std::shared_ptr<const Shell_truncation_3> truncation; ///< Null if no tip is replaced.
+  std::vector<std::size_t> facet_origin, vertex_origin; ///< by facet, by vertex
+  std::size_t user_facets = 0, user_vertices = 0;       ///< numbers of elements of the user's mesh
+  /// numbers of elements of the user's mesh, the closing and the discs
+  std::size_t number_of_facet_origins = 0, number_of_vertex_origins = 0;
+  std::vector<char> is_embedded; ///< by vertex, whether its fan is proved to be embedded; empty if this is unknown
+  Bbox_3 bbox;                   ///< the smallest box around the facets
+  std::shared_ptr<const Shell_closing_3> closing;       ///< null if the user's mesh is closed
+  std::shared_ptr<const Shell_truncation_3> truncation; ///< null if no tip is replaced
 
-  /// Length of the longest side of the box.
+  /// returns the length of the longest side of the box
   double unit() const { return (std::max)({ bbox.x_span(), bbox.y_span(), bbox.z_span() }); }
-  /// Returns the part of the surface that a facet of origin belongs to.
+  /// returns the part of the surface that a facet of origin belongs to
   Surface_part part_of_facet(std::size_t origin) const
   {
     return part(origin, user_facets, closing ? closing->triangles().size() : 0);
@@ -84,9 +85,9 @@ struct Mesh_with_origins
   }
 
   /// \name Refusals
-  /// The mesh is refused because of its facets or vertices with these origins, or accepted if there are none. Only
-  /// those of the user's mesh are listed. If there are none, the status names the closing or the truncation as the
-  /// cause.
+  /// The mesh is rejected because of its facets or vertices with these origins, or accepted if there are none. Only
+  /// elements of the user's mesh are listed. If there are none of these, the status is `NOT_CLOSABLE` or
+  /// `NOT_TRUNCATABLE`.
   /// @{
   Mesh_refusal refuse_facets(Shell_status status, std::vector<std::size_t> origins) const
   {
@@ -122,13 +123,13 @@ private:
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Copies a mesh, with its coordinates rounded to `double`s and its elements in spatial order.
+ * \brief copies a mesh, with its coordinates rounded to `double`s and its elements in spatial order.
  *
  * \tparam FaceGraph a model of `FaceListGraph`
  * \tparam VertexPointMap a model of `ReadablePropertyMap` from its vertices to points of a \cgal kernel
  * \param mesh the mesh
  * \param vpm its points
- * \return the copy, which may have polygons, or the reason why the mesh is refused
+ * \return the copy, which may have polygons, or the reason why the mesh is rejected
  */
 template <typename ConcurrencyTag, typename FaceGraph, typename VertexPointMap>
 Mesh_with_origins copy_mesh(const FaceGraph& mesh, VertexPointMap vpm)

@@ -13,15 +13,25 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
 
+class Shell_truncation_3;
+
+namespace internal {
+
+// Returns whether a truncation is that of a mesh, and its map is a homeomorphism.
+bool prove_truncation(const Shell_truncation_3& truncation);
+
+} // namespace internal
+
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Replacement of the tips of a mesh at some of its vertices.
+ * \brief replacement of the tips of a mesh at some of its vertices.
  *
  * If the facets at a vertex face no common direction, no field can be transversal there. The *truncated* mesh has a
  * disc in place of the vertex: the facets at the vertex are cut near it, and triangles between the cuts replace the
@@ -37,8 +47,8 @@ namespace Bspline_shells {
  * of cuts, which are rounded, or on how they were found.
  *
  * Facets are identified by the coordinates of their vertices, because an embedded mesh has no two vertices at the same
- * position. So the truncation fits every mesh that has the facets to be cut. Cut facets and their parts form *patches*;
- * each patch is found and replaced as a whole: see `find_patches()` and `replace_patches()`.
+ * position. The truncation therefore fits every mesh that has the facets to be cut. Cut facets with a common disc form
+ * a *patch*. Each patch is found and replaced as a whole: see `find_patches()` and `replace_patches()`.
  */
 class Shell_truncation_3
 {
@@ -46,18 +56,18 @@ public:
   typedef std::array<double, 3> Point;
   typedef std::array<double, 2> Planar_point;
   typedef std::uint32_t Index;
-  typedef std::array<Index, 3> Triangle; ///< Positions of points, counterclockwise as seen from the front of the mesh.
+  typedef std::array<Index, 3> Triangle; ///< indices of points, counterclockwise as seen from the front of the mesh.
 
   static constexpr Index npos = std::numeric_limits<Index>::max();
 
-  /// A point where a facet is cut: `center + s (first - center) + t (second - center)`, where these are corners of the
+  /// a point where a facet is cut: `center + s (first - center) + t (second - center)`, where these are corners of the
   /// facet in this order. On an edge, `t` is zero and `second` is `npos`.
   struct Cut
   {
     Index center, first, second;
     double s, t;
 
-    /// Returns the barycentric coordinates of the point.
+    /// returns the barycentric coordinates of the point
     /// \pre `facet` has the corners
     template <typename NT>
     std::array<NT, 3> barycentric(const Triangle& facet) const
@@ -70,28 +80,28 @@ public:
     }
   };
 
-  /// Replacement of the tip at a vertex.
+  /// replacement of the tip at a vertex
   struct Disc
   {
-    Index center;                    ///< The vertex.
-    std::vector<Index> rim;          ///< The cuts around it, counterclockwise.
-    std::vector<Index> facets;       ///< By edge of the rim, from each cut to the next: the cut facet that contains it.
-    std::vector<Triangle> triangles; ///< Triangles between cuts and inner points.
+    Index center;                    ///< the vertex
+    std::vector<Index> rim;          ///< the cuts around it, counterclockwise
+    std::vector<Index> facets;       ///< by edge of the rim, from each cut to the next: the cut facet that contains it
+    std::vector<Triangle> triangles; ///< triangles between cuts and inner points
   };
 
-  /// A part of a cut facet that remains.
+  /// a remaining part of a cut facet
   struct Core
   {
     Triangle triangle;
-    Index facet; ///< The cut facet.
+    Index facet; ///< the cut facet
   };
 
-  /// A facet that only the truncated mesh has.
+  /// a facet that only the truncated mesh has
   struct New_facet
   {
     Triangle triangle;
-    Index disc;      ///< `npos` for a core.
-    Index cut_facet; ///< The facet that a core is part of; for a triangle of a disc, some facet that the disc cuts.
+    Index disc;      ///< `npos` for a core
+    Index cut_facet; ///< the facet that a core is part of; for a triangle of a disc, some facet that the disc cuts
   };
 
   Shell_truncation_3() = default;
@@ -102,26 +112,35 @@ public:
   /// \param discs replacements of the other parts
   /// \param planar positions of cuts and inner points in the plane; the truncated vertices are at the origin
   Shell_truncation_3(std::vector<Point> points, std::vector<Triangle> cut_facets, std::vector<Cut> cuts,
-                     std::vector<Core> cores, std::vector<Disc> discs, std::vector<Planar_point> planar);
+                     std::vector<Core> cores, std::vector<Disc> discs, std::vector<Planar_point> planar)
+    : m_points(std::move(points)), m_cut_facets(std::move(cut_facets)), m_cuts(std::move(cuts)),
+      m_cores(std::move(cores)), m_discs(std::move(discs)), m_planar(std::move(planar)),
+      m_is_valid(internal::prove_truncation(*this))
+  {
+    if(!m_is_valid) return;
+    for(const Core& c : m_cores) m_new_facets.push_back({ c.triangle, npos, c.facet });
+    for(std::size_t n = 0; n < m_discs.size(); ++n)
+      for(const Triangle& t : m_discs[n].triangles) m_new_facets.push_back({ t, Index(n), m_discs[n].facets.front() });
+  }
 
   const std::vector<Point>& points() const { return m_points; }
-  /// Number of points that are vertices of the mesh, which are the first of all points.
+  /// returns the number of points that are vertices of the mesh, which are the first of all points
   std::size_t number_of_corners() const { return m_points.size() - m_planar.size(); }
   const std::vector<Triangle>& cut_facets() const { return m_cut_facets; }
   const std::vector<Cut>& cuts() const { return m_cuts; }
   const std::vector<Core>& cores() const { return m_cores; }
   const std::vector<Disc>& discs() const { return m_discs; }
   const std::vector<Planar_point>& planar() const { return m_planar; }
-  /// Cores, followed by the triangles of discs; empty if the truncation is not valid.
+  /// returns the cores, followed by the triangles of discs; nothing if the truncation is not valid
   const std::vector<New_facet>& new_facets() const { return m_new_facets; }
 
-  /// Returns whether a point is a cut.
+  /// returns whether a point is a cut
   bool is_cut(Index point) const { return point >= number_of_corners() && point < number_of_corners() + m_cuts.size(); }
-  /// Returns a cut by its point.
+  /// returns a cut by its point
   const Cut& cut(Index point) const { return m_cuts[point - number_of_corners()]; }
-  /// Returns the position of a cut or an inner point in the plane.
+  /// returns the position of a cut or an inner point in the plane
   const Planar_point& planar(Index point) const { return m_planar[point - number_of_corners()]; }
-  /// Returns the barycentric coordinates of a point in a cut facet.
+  /// returns the barycentric coordinates of a point in a cut facet
   /// \pre the point is a corner or a cut of the facet
   template <typename NT = double>
   std::array<NT, 3> barycentric(const Triangle& facet, Index point) const
@@ -131,13 +150,13 @@ public:
     b[corner(facet, point)] = NT(1);
     return b;
   }
-  /// Returns the position of a point among the corners of a triangle; 3 if it is no corner.
+  /// returns the position of a point among the corners of a triangle, or 3 if it is not a corner
   static std::size_t corner(const Triangle& t, Index point)
   {
     return std::size_t(std::find(t.begin(), t.end(), point) - t.begin());
   }
 
-  /// Returns whether this is the truncation of a mesh, and its map is a homeomorphism: see `prove_truncation.h`.
+  /// returns whether this is proved to be the truncation of a mesh whose map is a homeomorphism
   bool is_valid() const { return m_is_valid; }
 
 private:

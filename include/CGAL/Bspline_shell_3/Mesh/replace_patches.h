@@ -29,20 +29,20 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief The patches of a truncation that a mesh has. All elements of other patches are null.
+ * \brief the patches of a truncation that a mesh has. Elements of other patches are null.
  */
 template <typename FaceGraph>
 struct Truncation_patches
 {
   typedef boost::graph_traits<FaceGraph> Graph_traits;
-  /// By cut facet: the halfedge from its first corner to its second.
+  /// by cut facet: the halfedge from its first corner to its second
   std::vector<typename Graph_traits::halfedge_descriptor> cut_facets;
-  /// By disc: the vertex that it replaces.
+  /// by disc: the vertex that it replaces
   std::vector<typename Graph_traits::vertex_descriptor> centers;
 
-  /// Returns whether the mesh has a facet that is cut.
+  /// returns whether the mesh has a cut facet, with its whole patch
   bool has(std::size_t cut_facet) const { return cut_facets[cut_facet] != Graph_traits::null_halfedge(); }
-  /// Returns whether the mesh has none of the patches.
+  /// returns whether the mesh has none of the patches
   bool empty() const
   {
     const auto is_null = [](const auto& v) { return v == Graph_traits::null_vertex(); };
@@ -53,11 +53,11 @@ struct Truncation_patches
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Finds the patches of which a mesh has all facets; none if the truncation is not valid.
+ * \brief finds the patches of which a mesh has all facets; none if the truncation is not valid.
  *
  * \tparam FaceGraph a model of `FaceListGraph`
- * \tparam VertexPointMap a model of `ReadablePropertyMap` from its vertices to points of a kernel
- * \cgalHeading{Cost} linear in the size of the mesh
+ * \tparam VertexPointMap a model of `ReadablePropertyMap` from its vertices to points of a \cgal kernel
+ * \cgalHeading{Cost} Linear in the size of the mesh.
  */
 template <typename FaceGraph, typename VertexPointMap>
 Truncation_patches<FaceGraph> find_patches(const Shell_truncation_3& truncation, const FaceGraph& mesh,
@@ -120,14 +120,14 @@ Truncation_patches<FaceGraph> find_patches(const Shell_truncation_3& truncation,
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Elements of a mesh whose patches were replaced.
+ * \brief the new elements of a mesh whose patches were replaced.
  */
 template <typename FaceGraph>
 struct Truncated_elements
 {
-  /// By new facet; null if the mesh does not have its patch.
+  /// by new facet; null if the mesh does not have its patch
   std::vector<typename boost::graph_traits<FaceGraph>::face_descriptor> facets;
-  /// By point; null if there is no vertex, as for the vertices that were cut off.
+  /// by point of the truncation; null if there is no vertex, as for the vertices that were cut off
   std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> vertices;
 };
 
@@ -210,7 +210,7 @@ bool are_patches_replaced(const Shell_truncation_3& truncation, const Truncation
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Truncates a mesh by replacing its patches.
+ * \brief truncates a mesh by replacing its patches.
  *
  * One remaining part of each cut facet keeps its properties; other new elements have default values. The result is
  * checked: it must have all new facets and no additional border.
@@ -220,7 +220,7 @@ bool are_patches_replaced(const Shell_truncation_3& truncation, const Truncation
  *   `double`s
  * \param patches the result of `find_patches()`
  * \return nothing if the check fails; the mesh must then not be used
- * \cgalHeading{Cost} linear in the size of the truncation
+ * \cgalHeading{Cost} Linear in the size of the truncation.
  */
 template <typename FaceGraph, typename VertexPointMap>
 std::optional<Truncated_elements<FaceGraph> > replace_patches(const Shell_truncation_3& truncation,
@@ -328,7 +328,7 @@ std::optional<Truncated_elements<FaceGraph> > replace_patches(const Shell_trunca
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Finds and replaces patches. The mesh is unchanged if it has none.
+ * \brief finds and replaces patches. If the mesh has none, it is left unchanged.
  */
 template <typename FaceGraph, typename VertexPointMap>
 std::optional<Truncated_elements<FaceGraph> > replace_patches(const Shell_truncation_3& truncation, FaceGraph& mesh,

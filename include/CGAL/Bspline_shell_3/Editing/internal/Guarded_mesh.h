@@ -33,12 +33,13 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// A mesh during remeshing, with its operations. Policies determine where they are done. They ask which elements may
-// change, and whether the oracle accepts the facets after a change. Verdicts and operations are counted.
+// A mesh during remeshing, with the operations that change it. Operations and verdicts of the oracle are counted. The
+// caller chooses where to apply an operation. It must not change constrained or frozen elements, and the oracle must
+// accept all facets after the change.
 //
-// Fans that wind once continue to do so. At a vertex that moves or is new, the oracle counts. At other vertices, one or
-// two facets are replaced by one or two, between the same two edges. They turn by less than a full turn before and
-// after, and by the same angle up to full turns. (For collapses, see Shell_filter.)
+// Fans that wind once then continue to do so. At a vertex that moves or is new, the oracle counts the turns. At other
+// vertices, one or two facets are replaced by one or two facets between the same two edges. They turn by less than a
+// full turn before and after, and by the same angle up to full turns. (For collapses, see Shell_filter.)
 template <typename TriangleMesh_, typename VertexPointMap, typename Oracle, typename Sizing,
           typename EdgeIsConstrainedMap, typename VertexIsConstrainedMap>
 class Guarded_mesh
@@ -52,8 +53,8 @@ public:
   typedef typename Oracle::Point_3 Point;
   typedef std::vector<Point> Link; // points around a vertex or an edge, in the direction in which facets turn
 
-  // Edges by priority, each represented by a halfedge; the least priority is first. Edges of equal priority are in the
-  // order in which they were inserted, never in that of addresses.
+  // Edges, each with a halfedge, in ascending order of priority. Edges of equal priority are in the order of insertion,
+  // never in that of addresses.
   typedef boost::bimap<boost::bimaps::unordered_set_of<edge_descriptor, std::hash<edge_descriptor> >,
                        boost::bimaps::multiset_of<double>, boost::bimaps::with_info<halfedge_descriptor> >
     Edge_queue;
@@ -81,7 +82,7 @@ public:
       m_protect_constraints(protect_constraints), m_go_on(std::move(go_on)), m_report(report)
   {}
 
-  // Once the edit is ended, by the caller or by `go_on`, no operation changes anything.
+  // Once the edit is ended, by the caller or by `go_on`, go_on() returns false, and no operation may follow.
   void end() { m_goes_on = false; }
   bool has_ended() const { return !m_goes_on; }
   bool go_on()
@@ -106,13 +107,13 @@ public:
   bool is_constrained(edge_descriptor e) const { return get(edge_is_constrained, e); }
   // Returns whether an edge must be neither split nor collapsed.
   bool is_kept(edge_descriptor e) const { return frozen.has_edge(e) || (m_protect_constraints && is_constrained(e)); }
-  // Returns whether a vertex must neither move nor vanish.
+  // Returns whether a vertex must be neither moved nor removed.
   bool is_fixed(vertex_descriptor v) const
   {
     return frozen.has_vertex(v) || frozen.is_fixed(v) || get(m_vertex_is_constrained, v)
            || number_of_constrained_edges(v, mesh, edge_is_constrained) > 0;
   }
-  // Returns whether constrained edges pass through a vertex, so that it may vanish with one of them.
+  // Returns whether constrained edges pass through a vertex, so that it may be removed with one of them.
   bool is_passed(vertex_descriptor v) const
   {
     return !m_protect_constraints && !frozen.is_fixed(v) && !get(m_vertex_is_constrained, v)
@@ -121,7 +122,8 @@ public:
 
   // Verdicts
 
-  Placement_verdict verdict(const Point& p, const Link& link) const // may be called concurrently
+  // May be called concurrently; the verdict is not counted.
+  Placement_verdict verdict(const Point& p, const Link& link) const
   {
     typename Oracle::Memory none;
     return oracle(p, link, none);

@@ -109,7 +109,7 @@ void collapse_short_edges(Guarded& guarded)
     queue.right.erase(queue.right.begin());
     const auto p = place_to_collapse_to(h, guarded);
     if(!p) continue;
-    // With the edge, one of the two other edges of each of its facets vanishes.
+    // The collapse also removes one of the two other edges of each facet at the edge.
     for(auto g : { h, opposite(h, mesh) })
       for(auto side : { next(g, mesh), prev(g, mesh) }) queue.left.erase(edge(side, mesh));
     for(auto g : CGAL::halfedges_around_target(guarded.collapse(h, *p), mesh)) add(g);

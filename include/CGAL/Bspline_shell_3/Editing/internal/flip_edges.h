@@ -61,7 +61,7 @@ void flip_to_regular_valences(Guarded& guarded)
   }
 }
 
-// Repeats passes until no edge is flipped, or up to a limit, when passes change almost nothing.
+// Repeats passes until no edge is flipped, up to a limit. Later passes would change almost nothing.
 template <typename Guarded>
 void flip_to_larger_angles(Guarded& guarded)
 {

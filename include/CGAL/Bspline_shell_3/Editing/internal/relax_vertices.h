@@ -116,8 +116,8 @@ Vertex_move<typename Guarded::Point> find_move(typename Guarded::vertex_descript
   return found;
 }
 
-// Moves vertices towards the centroids of their facets, within the tangent plane. Vertices on sharp edges move only
-// along these, and corners do not move. Then `project` may change the position. Vertices without a common edge are
+// Moves vertices toward the centroids of their facets, within the tangent plane. Vertices on sharp edges move only
+// along these, and corners do not move. Then, `project` may change the position. Vertices without a common edge are
 // moved concurrently.
 template <typename ConcurrencyTag, typename Guarded, typename Projection>
 void relax_vertices(Guarded& guarded, const Projection& project)

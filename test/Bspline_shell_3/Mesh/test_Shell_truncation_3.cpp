@@ -1,5 +1,5 @@
-// prove_truncation.h: handmade truncations are proved, and each error in them is found.
-#include <CGAL/Bspline_shell_3/Mesh/prove_truncation.h>
+// Shell_truncation_3.h: handmade truncations are proved, and each error in them is found.
+#include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
 #include "truncations.h"
 
 #include <CGAL/number_type_config.h>
@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-namespace test_prove_truncation {
+namespace test_Shell_truncation_3 {
 
 namespace BS = CGAL::Bspline_shells;
 typedef BS::Shell_truncation_3 Truncation;
@@ -263,4 +263,4 @@ TEST_CASE("Truncation: a fan that winds twice cannot be a tip")
   for(Index i = 0; i < 5; ++i) parts.planar[i] = { std::cos(0.4 * CGAL_PI * i), std::sin(0.4 * CGAL_PI * i) };
   CHECK(parts.is_valid());
 }
-} // namespace test_prove_truncation
+} // namespace test_Shell_truncation_3
