@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Truncates a mesh.
-// \param patches those that the mesh has
+// Truncates a mesh, and checks the result.
+// \param patches the patches that the mesh has
 // \pre the mesh is closed, and has no self-intersections: certificates of the truncated mesh do not cover the tips
 template <typename ConcurrencyTag>
 Mesh_refusal apply_truncation(std::shared_ptr<const Shell_truncation_3> truncation,

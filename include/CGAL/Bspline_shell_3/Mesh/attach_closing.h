@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Closes a mesh, unless it is closed.
+// Closes a mesh, unless it is closed, and checks the result.
 // \pre the mesh is validated
 template <typename ConcurrencyTag>
 Mesh_refusal attach_closing(std::shared_ptr<const Shell_closing_3> closing, Mesh_with_origins& m)

@@ -86,7 +86,7 @@ inline bool triangulate_facet(Mesh_with_origins::Face_index f, Mesh_with_origins
   triangles.pop_back(); // the remaining facet
   for(const auto& t : triangles) {
     halfedges[t[2]] = CGAL::Euler::split_face(halfedges[t[0]], halfedges[t[2]], m.mesh);
-    m.facet_origin.push_back(m.facet_origin[f]); // of the triangle that is cut off
+    m.facet_origin.push_back(m.facet_origin[f]); // the triangle that is cut off
   }
   return true;
 }

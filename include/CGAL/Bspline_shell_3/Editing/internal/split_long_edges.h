@@ -30,8 +30,8 @@ std::optional<typename Guarded::Point> place_to_split_at(typename Guarded::halfe
   const Point &a = guarded.point(q.a), &b = guarded.point(q.b), &c = guarded.point(q.c), &d = guarded.point(q.d);
   const typename Guarded::Link link = { b, c, a, d };
   const Point p = CGAL::midpoint(a, b);
-  // If the longest edge of a facet must not be split, splits of its other edges may create new edges that are no
-  // shorter, forever.
+  // If the longest edge of a facet must not be split, its other edges could be split forever, as the new edges may be
+  // as long.
   if((std::max)(CGAL::squared_distance(p, c), CGAL::squared_distance(p, d))
      > remeshing_tuning.largest_new_edge * remeshing_tuning.largest_new_edge * CGAL::squared_distance(a, b))
     return std::nullopt;

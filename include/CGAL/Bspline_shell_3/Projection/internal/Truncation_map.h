@@ -95,8 +95,8 @@ private:
   struct Part
   {
     Index core, disc;                   // one of them is `npos`
-    std::size_t edge;                   // of the rim
-    std::array<Barycentric, 3> corners; // in the cut facet
+    std::size_t edge;                   // the edge of the rim, for a tip
+    std::array<Barycentric, 3> corners; // coordinates in the cut facet
   };
 
   // The piece of the map that contains a place: a part of the facet, and, for a tip, a triangle of the disc.
