@@ -195,7 +195,7 @@ std::vector<typename Shell_cover_3<Field, Threshold>::Shared> examine_cover(
     w.point = center;
     draft.conclude(w);
   }
-  for(typename Cover::Box_index b : cover.at_end()) {
+  for(std::size_t b : cover.at_end()) {
     Certificate_witness w = witness(Claim::GRADIENT, Verdict::UNDECIDED, Certificate_witness::END_OF_DOMAIN);
     w.cell = cover.boxes()[b].cell;
     const Bbox_3 box = cover.bbox(cover.boxes()[b]);
