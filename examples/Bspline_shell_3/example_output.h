@@ -174,10 +174,10 @@ inline void print_repairs(const BS::Soup_repairs& repairs)
   line(repairs.merged_points, "points merged with others at their positions");
   line(repairs.removed_polygons, "polygons without three points removed");
   line(repairs.split_polygons, "polygons with a point twice taken apart");
-  line(repairs.doubled_polygons, "doubled polygons removed");
-  line(repairs.turned_polygons, "polygons turned round");
+  line(repairs.duplicate_polygons, "doubled polygons removed");
+  line(repairs.reversed_polygons, "polygons turned round");
   line(repairs.degenerate_facets, "facets without area removed");
-  if(repairs.turned_components) std::cout << "repaired      components turned inside out, to bound a volume\n";
+  if(repairs.reversed_components) std::cout << "repaired      components turned inside out, to bound a volume\n";
 }
 
 inline bool write_mesh(const std::string& file, const Mesh& mesh)

@@ -81,7 +81,7 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
       build();
       if(result.mesh_status == BS::Shell_status::INCONSISTENT_ORIENTATION
          && BS::orient_components(result.repaired_mesh)) {
-        result.repairs.turned_components = true;
+        result.repairs.reversed_components = true;
         build();
       }
     }

@@ -55,7 +55,7 @@ with tempfile.TemporaryDirectory() as folder:
     obj = "".join("v %g %g %g\n" % p for p in CUBE) + "".join("f %d %d %d\n" % tuple(v + 1 for v in t) for t in facets)
     done = run(write(path("tray.obj"), obj), path("obj"), "--thickness", "0.02")
     assert done.returncode == 0, done
-    assert report("obj")["kind"] == "virtually closed" and report("obj")["repairs"]["turned_polygons"] == 1, report("obj")
+    assert report("obj")["kind"] == "virtually closed" and report("obj")["repairs"]["reversed_polygons"] == 1, report("obj")
     assert report("obj")["closing"]["holes"] == 1 and "turned round" in done.stdout, done
 
     # OFF: self-intersecting

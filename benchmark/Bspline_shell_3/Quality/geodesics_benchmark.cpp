@@ -189,7 +189,7 @@ void measure(const std::string& file, const std::vector<double>& all_edges, std:
     std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"facets\":" << mesh.number_of_faces()
               << ",\"certified\":" << (shell->is_certified() ? "true" : "false") << ",\"edges\":" << edges
               << ",\"sizing\":" << quoted(name);
-    if(!report && report.status != BS::Edit_status::EDITED_EXCEPT_FROZEN) {
+    if(!report && report.status != BS::Edit_status::PARTIALLY_EDITED) {
       std::cout << ",\"status\":" << quoted(BS::message(report.status)) << "}" << std::endl;
       return;
     }

@@ -155,8 +155,8 @@ TEST_CASE("Certificate: the shell of a sphere is certified, with quantities that
   }
   CHECK(certificate.least_gradient() > 0.5 * least);
   CHECK(certificate.least_gradient() <= least);
-  CHECK(certificate.report().greatest_gradient < 2 * greatest);
-  CHECK(certificate.report().greatest_gradient >= greatest);
+  CHECK(certificate.report().largest_gradient < 2 * greatest);
+  CHECK(certificate.report().largest_gradient >= greatest);
   CHECK(certificate.least_angle() > 0.5 * least_angle);
   CHECK(certificate.least_angle() <= least_angle);
   CHECK(certificate.displacement_bound() >= shell.thickness() / least);
@@ -458,7 +458,7 @@ TEST_CASE("Certificate: what reaches the end of the domain is not in its interio
   CHECK(certificate.verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
   REQUIRE_FALSE(certificate.witnesses().empty());
   for(const Place& w : certificate.witnesses()) {
-    CHECK(w.reason == Place::END_OF_DOMAIN);
+    CHECK(w.reason == Place::BOUNDARY_OF_DOMAIN);
     CHECK((std::max)({ std::abs(w.point[0]), std::abs(w.point[1]), std::abs(w.point[2]) }) > 1.3);
   }
 }
@@ -477,7 +477,7 @@ TEST_CASE("Certificate: a vertex that sticks out by 1e-12 is refuted, so is a me
                                  Verdict::UNDECIDED });
   CHECK(facets_named(certificate, Claim::CONTAINMENT) == facets_at(mesh, v));
   for(const Place& w : certificate.witnesses())
-    if(w.claim != Claim::CONTAINMENT) CHECK(w.reason == Place::CONTAINMENT_NEEDED);
+    if(w.claim != Claim::CONTAINMENT) CHECK(w.reason == Place::CONTAINMENT_NOT_PROVED);
 
   for(const Point_3& center : { Point_3(0, 0, 20), Point_3(1, 0, 0) }) {
     const Certificate elsewhere = certify(field, 0.8, 1.2, sphere(1, 1, center));
@@ -1135,7 +1135,7 @@ void check_is_scaled(const Any_certificate& certificate, const Any_certificate& 
   for(int c = 0; c < 5; ++c) CHECK(certificate.verdict(Claim(c)) == reference.verdict(Claim(c)));
   CHECK(certificate.least_angle() == reference.least_angle());
   CHECK(certificate.least_gradient() == std::ldexp(reference.least_gradient(), exponent));
-  CHECK(certificate.report().greatest_gradient == std::ldexp(reference.report().greatest_gradient, exponent));
+  CHECK(certificate.report().largest_gradient == std::ldexp(reference.report().largest_gradient, exponent));
   CHECK(certificate.displacement_bound() == reference.displacement_bound());
   CHECK(certificate.statistics().cover_boxes == reference.statistics().cover_boxes);
   CHECK(certificate.statistics().critical_boxes == reference.statistics().critical_boxes);

@@ -429,7 +429,7 @@ TEST_CASE("Certificate on leaves of different size: what is wrong is refuted, or
   // The shell reaches the end of the domain.
   const Certificate open = certify(field, 0.85, 1.6, sphere(2));
   CHECK(open.verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
-  for(const Place& w : open.witnesses()) CHECK(w.reason == Place::END_OF_DOMAIN);
+  for(const Place& w : open.witnesses()) CHECK(w.reason == Place::BOUNDARY_OF_DOMAIN);
 
   // The field has a dent in the smallest leaves, outside the mesh.
   Field dented = field;

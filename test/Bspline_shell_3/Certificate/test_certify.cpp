@@ -105,7 +105,7 @@ TEST_CASE("certify: a shell that was read from a file gets the certificate, the 
     const BS::Certificate_report &before = two_shells().report().certificate, &after = shell.report().certificate;
     CHECK(after.components == before.components);
     CHECK(after.least_gradient == before.least_gradient);
-    CHECK(after.greatest_gradient == before.greatest_gradient);
+    CHECK(after.largest_gradient == before.largest_gradient);
     CHECK(after.displacement_bound == before.displacement_bound);
     CHECK(after.least_angle == before.least_angle);
     CHECK(are_same_paths(shell.component_paths(), two_shells().component_paths()));
@@ -166,11 +166,11 @@ TEST_CASE("certify: meshes in different components are not mapped with success, 
   CHECK(unknown(Mesh::Vertex_index(0)).status == Flow_status::LEAVES_SHELL);
   CHECK(partly(Mesh::Vertex_index(0)).status == Flow_status::SUCCESS);
   REQUIRE(BS::certify(shell, two_spheres()));
-  CHECK(status(near, far) == Flow_status::OTHER_COMPONENTS);
-  CHECK(status(near, two_spheres()) == Flow_status::OTHER_COMPONENTS);
+  CHECK(status(near, far) == Flow_status::COMPONENTS_DIFFER);
+  CHECK(status(near, two_spheres()) == Flow_status::COMPONENTS_DIFFER);
   CHECK(status(two_spheres(), two_spheres()) == Flow_status::SUCCESS);
   CHECK_FALSE(Map(shell, near, far).maps_points());
-  CHECK(Map(shell, near, far)(Mesh::Vertex_index(0)).status == Flow_status::OTHER_COMPONENTS);
+  CHECK(Map(shell, near, far)(Mesh::Vertex_index(0)).status == Flow_status::COMPONENTS_DIFFER);
 }
 
 TEST_CASE("certify: paths of a file that do not lead through the shell are no reason for anything")
@@ -230,7 +230,7 @@ TEST_CASE("certify: a file that gives two components one number, or leaves one o
     CHECK_FALSE(Certificate(shell).verify(far_sphere()));
     CHECK_FALSE(Certificate(shell).verify(two_spheres()));
     const Mesh near = near_sphere(), far = far_sphere();
-    CHECK(Map(shell, near, far).status() == Flow_status::OTHER_COMPONENTS);
+    CHECK(Map(shell, near, far).status() == Flow_status::COMPONENTS_DIFFER);
     CHECK_FALSE(BS::Shell_containment_3<Varying_shell::Field, Varying_shell::Threshold>(shell)(Point_3(4, 0, 0)));
   };
   check(with_paths([](Lines& paths) {

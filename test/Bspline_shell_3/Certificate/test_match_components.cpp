@@ -184,12 +184,12 @@ TEST_CASE("Components: the map between meshes in other components is refused")
   CHECK(number_of_images(map) == mesh.number_of_faces());
   for(const auto& refused : { BS::Shell_map_3(shell, mesh, one), BS::Shell_map_3(shell, one, mesh),
                               BS::Shell_map_3(shell, one, mesh).inverse() }) {
-    CHECK(refused.status() == BS::Flow_status::OTHER_COMPONENTS);
+    CHECK(refused.status() == BS::Flow_status::COMPONENTS_DIFFER);
     const BS::Shell_map_3<Shell, Mesh>::Source_location location(*refused.source().faces().begin(), { 0.2, 0.3, 0.5 });
-    CHECK(refused(location).status == BS::Flow_status::OTHER_COMPONENTS);
+    CHECK(refused(location).status == BS::Flow_status::COMPONENTS_DIFFER);
     for(const auto& image :
         refused.project(std::vector<BS::Shell_map_3<Shell, Mesh>::Source_location>{ location, location }))
-      CHECK(image.status == BS::Flow_status::OTHER_COMPONENTS);
+      CHECK(image.status == BS::Flow_status::COMPONENTS_DIFFER);
     CHECK_FALSE(std::string(message(refused.status())).empty());
   }
   // Reversed orientation, or further parts outside the shell, do not change this.
@@ -347,11 +347,11 @@ TEST_CASE("Components: nothing is transferred through a map that is refused")
   const auto from = source.add_property_map<Mesh::Vertex_index, double>("v:value", 1).first;
   const auto refused = [&](const BS::Transfer_report& report) {
     CHECK(report.failures.size() == one.number_of_vertices());
-    for(const auto& failure : report.failures) CHECK(failure.second == BS::Flow_status::OTHER_COMPONENTS);
+    for(const auto& failure : report.failures) CHECK(failure.second == BS::Flow_status::COMPONENTS_DIFFER);
     for(auto v : one.vertices()) CHECK(values[v] == 7);
   };
   const BS::Shell_map_3 map(shell, source, one);
-  REQUIRE(map.status() == BS::Flow_status::OTHER_COMPONENTS);
+  REQUIRE(map.status() == BS::Flow_status::COMPONENTS_DIFFER);
   refused(BS::transfer_vertex_attribute(map, from, values));
   refused(BS::average_vertex_attribute(map, from, values));
 }

@@ -94,7 +94,7 @@ TEST_CASE("Closing: a half sphere gets a flat cap")
   CHECK(whole.number_of_vertices() == mesh.number_of_vertices());
 }
 
-TEST_CASE("Closing: a planar sheet becomes a slab with sloping sides")
+TEST_CASE("Closing: a planar sheet becomes a slab with facets_to_steepen sides")
 {
   constexpr double offset = 0.05;
   const Mesh mesh = sheet(steps(0, 1, 4), steps(0, 2, 8), [](double, double) { return 0.; });

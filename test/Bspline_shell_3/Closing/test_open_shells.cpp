@@ -265,7 +265,7 @@ TEST_CASE("Open meshes: constraints, and frozen facets")
   CHECK(BS::simplify_in_shell(damaged, hill_shell()).status == BS::Edit_status::NOT_IN_SHELL);
   CHECK(is_equal(damaged, before));
   result = BS::simplify_in_shell(damaged, hill_shell(), parameters::freeze_rejected_facets(true));
-  CHECK(result.status == BS::Edit_status::EDITED_EXCEPT_FROZEN);
+  CHECK(result.status == BS::Edit_status::PARTIALLY_EDITED);
   CHECK(result.facets < before.number_of_faces());
   CHECK(result.frozen_facets.size() == result.frozen_facets_before.size());
   damaged.collect_garbage();
@@ -305,7 +305,7 @@ TEST_CASE("Open meshes: components near each other, one above the other and clos
   Certificate certificate(shell);
   CHECK_FALSE(certificate.verify(sheets));
   CHECK(certificate.verdict(BS::Claim::ONE_SHEET) == BS::Verdict::REFUTED);
-  CHECK(Map(shell, mesh, sheets).status() == BS::Flow_status::OTHER_COMPONENTS);
+  CHECK(Map(shell, mesh, sheets).status() == BS::Flow_status::COMPONENTS_DIFFER);
   CHECK(BS::simplify_in_shell(sheets, shell).status == BS::Edit_status::NOT_CERTIFIED);
   CHECK(sheets.number_of_faces() == 64);
 }

@@ -289,7 +289,7 @@ TEST_CASE("Narrowed thresholds: nearly all of a wall that is thinner than a cell
   REQUIRE(at_wall > 1000);
   Thresholds thresholds(ball.seeds());
   CHECK(ball.choose(thresholds).empty());
-  CHECK(thresholds.tight_places().empty());
+  CHECK(thresholds.narrow_places().empty());
   for(double x : { -1., 1. })
     for(double y : { -1., 1. }) {
       const Point_3 middle(x * 1.2, y * 0.96, 1.28);
@@ -316,7 +316,7 @@ TEST_CASE(
   ask_for(0.8 * ball.depth);
   Thresholds tight(ball.seeds());
   ball.choose(tight);
-  CHECK(are_there(tight.tight_places()));
+  CHECK(are_there(tight.narrow_places()));
   ask_for(1.2 * ball.depth);
   Thresholds none(ball.seeds());
   CHECK(are_there(ball.choose(none)));

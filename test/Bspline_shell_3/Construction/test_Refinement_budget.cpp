@@ -72,7 +72,7 @@ TEST_CASE("Budget: a partial round was in vain if it left as much to be mended, 
     budget.round().undecided_cells = undecided_before;
     add_round(budget, is_partial, examined);
     budget.round().undecided_cells = undecided;
-    return budget.was_part_in_vain();
+    return budget.was_partial_round_stalled();
   };
   CHECK_FALSE(was_in_vain(true, true, true, 5, 4));
   CHECK(was_in_vain(true, true, true, 5, 5));
@@ -80,7 +80,7 @@ TEST_CASE("Budget: a partial round was in vain if it left as much to be mended, 
   CHECK(was_in_vain(true, true, false, 5, 0));
   CHECK_FALSE(was_in_vain(false, true, true, 5, 50));
   Budget budget(limits(no_limit));
-  CHECK_FALSE(budget.was_part_in_vain());
+  CHECK_FALSE(budget.was_partial_round_stalled());
 }
 
 TEST_CASE("Budget: the time of a step is that since the step before")

@@ -31,12 +31,12 @@ TEST_CASE("Refinement history: rounds are in vain if as many in a row as allowed
   history.add_round(round_with(0, 5, 100), 1);
   for(int n = 1; n < tuning.max_rounds_in_vain; ++n) {
     history.add_round(round_with(0, 5, 100), 1);
-    CHECK_FALSE(history.is_in_vain());
+    CHECK_FALSE(history.is_stalled());
   }
   SECTION("one more")
   {
     history.add_round(round_with(0, 9, 200), 2);
-    CHECK(history.is_in_vain());
+    CHECK(history.is_stalled());
   }
   SECTION("one that leads on begins the count anew")
   {
@@ -56,14 +56,14 @@ TEST_CASE("Refinement history: rounds are in vain if as many in a row as allowed
     {
       history.add_round(round_with(1, 5, 100), 1);
     }
-    CHECK_FALSE(history.is_in_vain());
+    CHECK_FALSE(history.is_stalled());
     for(int n = 0; n < tuning.max_rounds_in_vain; ++n) history.add_round(round_with(0, 5, 100), 1);
-    CHECK(history.is_in_vain());
+    CHECK(history.is_stalled());
   }
   SECTION("hardly fewer obstacles are as many")
   {
     history.add_round(round_with(0, 5, 91), 0.91);
-    CHECK(history.is_in_vain());
+    CHECK(history.is_stalled());
   }
 }
 

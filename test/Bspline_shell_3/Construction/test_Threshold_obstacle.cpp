@@ -73,17 +73,17 @@ TEST_CASE("Culprits: cells that share a function with an obstacle's cell, and wh
       const Index c = Index(random.get_int(0, int(ranges.size())));
       const std::vector<Index> here = functions(*field, c);
       for(CGAL::Sign side : { CGAL::POSITIVE, CGAL::NEGATIVE }) {
-        const std::vector<Index> culprits = BS::culprits_of<Tag>(*field, ranges, { obstacle(c, side, 0.8) }, 0.5);
-        CHECK(std::is_sorted(culprits.begin(), culprits.end()));
-        found += culprits.size();
+        const std::vector<Index> causing_cells = BS::causing_cells_of<Tag>(*field, ranges, { obstacle(c, side, 0.8) }, 0.5);
+        CHECK(std::is_sorted(causing_cells.begin(), causing_cells.end()));
+        found += causing_cells.size();
         const auto is_too_large = [&](Index d) {
           return (side == CGAL::POSITIVE ? ranges[d].max : -ranges[d].min) > 0.4;
         };
         for(Index d = 0; d < ranges.size(); ++d) {
           const bool expected = is_too_large(d) && share_a_function(here, functions(*field, d));
-          missed += expected && !contains(culprits, d);
-          // On cells of different sizes, some culprits are between the cells in the supports.
-          wrong += contains(culprits, d) && !(field == &equal ? expected : is_too_large(d));
+          missed += expected && !contains(causing_cells, d);
+          // On cells of different sizes, some causing_cells are between the cells in the supports.
+          wrong += contains(causing_cells, d) && !(field == &equal ? expected : is_too_large(d));
         }
       }
     }
@@ -98,10 +98,10 @@ TEST_CASE("Culprits: the obstacle's own cell, where none is too large, or the pl
   CGAL::Random random(4);
   const Field field(Hierarchy(some_cells(random, lattice(), { -6, -6, -6 }, { 5, 5, 5 }, 1)));
   std::vector<BS::Level_range> ranges(field.number_of_cells(), BS::Level_range{ -0.1, 0.3 });
-  CHECK(BS::culprits_of<Tag>(field, ranges, {}, 0.5).empty());
-  CHECK(BS::culprits_of<Tag>(field, ranges, { obstacle(5, CGAL::NEGATIVE, 0.3) }, 0.5) == std::vector<Index>{ 5 });
-  CHECK(BS::culprits_of<Tag>(field, ranges, { obstacle(5, CGAL::POSITIVE, 0.3) }, 0.5).size() > 50);
-  CHECK(BS::culprits_of<Tag>(field, ranges, { obstacle(9, CGAL::ZERO, 0), obstacle(5, CGAL::ZERO, 0) }, 0.5)
+  CHECK(BS::causing_cells_of<Tag>(field, ranges, {}, 0.5).empty());
+  CHECK(BS::causing_cells_of<Tag>(field, ranges, { obstacle(5, CGAL::NEGATIVE, 0.3) }, 0.5) == std::vector<Index>{ 5 });
+  CHECK(BS::causing_cells_of<Tag>(field, ranges, { obstacle(5, CGAL::POSITIVE, 0.3) }, 0.5).size() > 50);
+  CHECK(BS::causing_cells_of<Tag>(field, ranges, { obstacle(9, CGAL::ZERO, 0), obstacle(5, CGAL::ZERO, 0) }, 0.5)
         == std::vector<Index>{ 5, 9 });
 }
 
@@ -117,7 +117,7 @@ TEST_CASE("Culprits: the same with one and several threads")
       obstacles.push_back(obstacle(c, random.get_bool() ? CGAL::POSITIVE : CGAL::NEGATIVE, random.get_double()));
   }
   REQUIRE(obstacles.size() > 50);
-  CHECK(BS::culprits_of<Tag>(field, ranges, obstacles, 0.9)
-        == BS::culprits_of<CGAL::Parallel_if_available_tag>(field, ranges, obstacles, 0.9));
+  CHECK(BS::causing_cells_of<Tag>(field, ranges, obstacles, 0.9)
+        == BS::causing_cells_of<CGAL::Parallel_if_available_tag>(field, ranges, obstacles, 0.9));
 }
 } // namespace test_Threshold_obstacle

@@ -474,7 +474,7 @@ TEST_CASE("A bounding surface that runs out of the cells: a refusal if their num
   for(int rings : { 1, 2 }) {
     const Shell narrow = CGAL::bspline_shell_3(mesh, P::resolution(10).number_of_rings(rings));
     CHECK_FALSE(narrow);
-    CHECK(narrow.status() == Status::SHELL_LEAVES_BAND);
+    CHECK(narrow.status() == Status::SHELL_REACHES_BOUNDARY);
     CHECK(narrow.report().widenings == 0);
   }
 

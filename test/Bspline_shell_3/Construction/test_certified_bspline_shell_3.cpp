@@ -59,7 +59,7 @@ void check_certified(const Mesh& mesh, const Shell& shell)
   CHECK(certificate.statistics().cover_boxes == shell.report().certificate.statistics.cover_boxes);
   CHECK(certificate.least_gradient() == shell.report().certificate.least_gradient);
   CHECK(certificate.displacement_bound() == shell.report().certificate.displacement_bound);
-  CHECK(certificate.report().greatest_gradient == shell.report().certificate.greatest_gradient);
+  CHECK(certificate.report().largest_gradient == shell.report().certificate.largest_gradient);
   CHECK(certificate.least_angle() == shell.report().certificate.least_angle);
   BS::Shell_containment_3<Shell::Field, Shell::Threshold> is_in_shell(shell);
   CHECK(is_in_shell(mesh));
@@ -154,7 +154,7 @@ TEST_CASE(
     CHECK(alone.verify(scaled) == (factor < 1.1));
     CHECK(sharing.bounds() == copy.cell_bounds());
     CHECK(alone.bounds() != copy.cell_bounds());
-    CHECK(sharing.report().greatest_gradient == alone.report().greatest_gradient);
+    CHECK(sharing.report().largest_gradient == alone.report().largest_gradient);
     CHECK(sharing.least_angle() == alone.least_angle());
     REQUIRE(sharing.facets().size() == alone.facets().size());
     for(std::size_t n = 0; n < sharing.facets().size(); ++n) {

@@ -60,7 +60,7 @@ TEST_CASE("Refinement plan: nothing wanting, nothing to refine")
   CHECK(plan.split.empty());
   CHECK(plan.at_gaps.empty());
   CHECK(plan.similar.empty());
-  CHECK(plan.nearer_to_zero.empty());
+  CHECK(plan.with_larger_weights.empty());
 }
 
 TEST_CASE("Refinement plan: cells are refined with their neighbors where slopes fail, and where the field is too large "
@@ -71,7 +71,7 @@ TEST_CASE("Refinement plan: cells are refined with their neighbors where slopes 
   BS::Round_findings found;
   SECTION("slopes")
   {
-    found.sloping = { middle };
+    found.facets_to_steepen = { middle };
     CHECK(plan_for(cells, found).split.size() == number_of_neighbors(3));
   }
   SECTION("few thick")
@@ -140,23 +140,23 @@ TEST_CASE("Refinement plan: what is done at obstacles depends on their kind")
     const BS::Refinement_plan plan = plan_for(cells, found);
     CHECK(plan.split == Cells{ thick });
     CHECK(plan.at_gaps.empty());
-    CHECK(plan.nearer_to_zero.empty());
+    CHECK(plan.with_larger_weights.empty());
   }
-  SECTION("at narrow gaps, culprits are split in their place, and the next field is to be nearer to zero in both")
+  SECTION("at narrow gaps, causing_cells are split in their place, and the next field is to be nearer to zero in both")
   {
     found.kind = Obstacle_kind::NARROW_GAPS;
-    found.culprits = { culprit };
+    found.causing_cells = { culprit };
     found.similar = { thick };
     const BS::Refinement_plan plan = plan_for(cells, found);
     CHECK(plan.split == Cells{ culprit });
     CHECK(plan.at_gaps == Cells{ culprit });
     CHECK(plan.similar == Cells{ thick });
     CHECK(
-      std::is_permutation(plan.nearer_to_zero.begin(), plan.nearer_to_zero.end(), Cells{ obstacle, culprit }.begin()));
+      std::is_permutation(plan.with_larger_weights.begin(), plan.with_larger_weights.end(), Cells{ obstacle, culprit }.begin()));
   }
 }
 
-TEST_CASE("Refinement plan: at narrow gaps, cells with obstacles are refined if culprits are as small as may be")
+TEST_CASE("Refinement plan: at narrow gaps, cells with obstacles are refined if causing_cells are as small as may be")
 {
   Hierarchy cells = block();
   while(cells.number_of_levels() <= cells.max_level())
@@ -164,7 +164,7 @@ TEST_CASE("Refinement plan: at narrow gaps, cells with obstacles are refined if 
   const Index smallest = cells.first_leaf(cells.max_level());
   BS::Round_findings found;
   found.kind = Obstacle_kind::NARROW_GAPS;
-  found.culprits = { smallest };
+  found.causing_cells = { smallest };
   found.obstacles = obstacles_in({ 0 });
   CHECK_FALSE(plan_for(cells, found).split.empty());
   found.obstacles = obstacles_in({ smallest });

@@ -228,7 +228,7 @@ TEST_CASE("Thin parts: a fan that is folded back ends, and where it is not certi
       check_certified(mesh, shell);
       continue;
     }
-    CHECK(shell.report().refinement == BS::Refinement_status::NOTHING_TO_REFINE);
+    CHECK(shell.report().refinement == BS::Refinement_status::NO_PROGRESS);
     bool named = false;
     for(const BS::Certificate_witness& w : shell.report().certificate.witnesses)
       if((w.claim == Claim::TRANSVERSALITY || w.claim == Claim::GRADIENT)

@@ -53,7 +53,7 @@ void check_frozen_result(const CGAL::Bspline_shells::Edit_report& report, const 
                          const Mesh& mesh)
 {
   using namespace CGAL::Bspline_shells;
-  CHECK(std::string(message(report.status)) == message(Edit_status::EDITED_EXCEPT_FROZEN));
+  CHECK(std::string(message(report.status)) == message(Edit_status::PARTIALLY_EDITED));
   CHECK_FALSE(report);
   CHECK(std::any_of(report.certificate.verdicts.begin(), report.certificate.verdicts.end(),
                     [](Verdict v) { return v != Verdict::PROVED; }));

@@ -96,7 +96,7 @@ struct Edge_count_stop
 
 // Collapses edges to their midpoints, shortest first, until fewer than `edges` edges are left. A filter can reject
 // collapses.
-template <typename Filter, typename Visitor = BS::Silent_collapse_visitor>
+template <typename Filter, typename Visitor = BS::Default_collapse_visitor>
 int collapse(Mesh& mesh, std::size_t edges, const Filter& filter, Visitor visitor = Visitor())
 {
   return SMS::edge_collapse(mesh, Edge_count_stop{ edges },

@@ -95,12 +95,12 @@ TEST_CASE("With frozen facets, an edit must keep them, leave all others in the s
     }
     return status;
   };
-  CHECK(status(nothing) == Status::EDITED_EXCEPT_FROZEN);
+  CHECK(status(nothing) == Status::PARTIALLY_EDITED);
   // The vertex stays in the shell, or leaves it.
   const auto scaled = [](double s) {
     return [s](Mesh& m) { m.point(far(m)) = CGAL::ORIGIN + s * (m.point(far(m)) - CGAL::ORIGIN); };
   };
-  CHECK(status(scaled(1.02)) == Status::EDITED_EXCEPT_FROZEN);
+  CHECK(status(scaled(1.02)) == Status::PARTIALLY_EDITED);
   CHECK(status(scaled(3)) == Status::NOT_CERTIFIED);
   // The frozen vertex is moved, and stays outside the shell.
   CHECK(status([](Mesh& m) { m.point(out) = Point_3(0, 0, 0.1); }) == Status::NOT_CERTIFIED);
@@ -117,7 +117,7 @@ TEST_CASE("Fans that wind twice are found before an edit, and frozen")
   CHECK(result.offending_simplices.vertices == Positions{ 0, 1 });
   CHECK(result.offending_simplices.facets.empty());
   Result frozen;
-  CHECK(run(mesh, shell(), frozen, nothing, P::freeze_rejected_facets(true)) == Status::EDITED_EXCEPT_FROZEN);
+  CHECK(run(mesh, shell(), frozen, nothing, P::freeze_rejected_facets(true)) == Status::PARTIALLY_EDITED);
   CHECK(frozen.frozen_facets.size() == 50);
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("Where the shell truncates the mesh, facets and vertices are those of 
       Mesh mesh = start;
       Result result;
       const Status status = run(mesh, truncating, result, nothing, P::freeze_rejected_facets(freezes));
-      CHECK(status == (freezes ? Status::EDITED_EXCEPT_FROZEN : Status::NOT_IN_SHELL));
+      CHECK(status == (freezes ? Status::PARTIALLY_EDITED : Status::NOT_IN_SHELL));
       CHECK(result.offending_simplices.facets == facets_at(start, out));
       CHECK(result.offending_simplices.vertices == (is_disc_rejected ? Positions{ std::size_t(tip) } : Positions()));
       if(!freezes) {

@@ -355,7 +355,7 @@ TEST_CASE("Remeshing: a sizing function that is wrong between the vertices is re
     CHECK(report.status == Status::INVALID_PARAMETER);
     CHECK(std::string(report.invalid_parameter.name) == "target_edge_length");
     CHECK((report.invalid_parameter.value == wrong || std::isnan(wrong)));
-    CHECK(report.end == BS::Edit_end::NOT_EDITED);
+    CHECK(report.end == BS::Edit_termination::NOT_EDITED);
     CHECK(report.facets == start.number_of_faces());
     CHECK(is_equal(mesh, start));
   }
@@ -673,7 +673,7 @@ TEST_CASE("Remeshing: without iterations edges are flipped, and nothing else")
   const auto report = remesh(mesh, 0.2, sphere_shell(), P::number_of_iterations(0));
   check_result(report, sphere_shell(), mesh);
   CHECK(report.splits + report.collapses + report.moves == 0);
-  CHECK(report.end == BS::Edit_end::ITERATIONS);
+  CHECK(report.end == BS::Edit_termination::ITERATIONS);
   CHECK(mesh.number_of_vertices() == start.number_of_vertices());
   for(auto v : start.vertices()) CHECK(mesh.point(v) == start.point(v));
   CHECK(qualities(mesh).front() >= qualities(start).front());
@@ -708,7 +708,7 @@ TEST_CASE("Remeshing: a visitor is told of each iteration, what was done until i
     visitor.most_iterations = 2;
     const auto result = remesh(mesh, visitor);
     REQUIRE(result);
-    CHECK(result.end == BS::Edit_end::VISITOR);
+    CHECK(result.end == BS::Edit_termination::VISITOR);
     CHECK(result.splits > 0);
     CHECK(BS::Shell_certificate_3<Shell::Field, Shell::Threshold>(sphere_shell()).verify(mesh));
     Mesh once = before;
@@ -720,7 +720,7 @@ TEST_CASE("Remeshing: a visitor is told of each iteration, what was done until i
     visitor.most_operations = 200;
     const auto result = remesh(mesh, visitor);
     REQUIRE(result);
-    CHECK(result.end == BS::Edit_end::VISITOR);
+    CHECK(result.end == BS::Edit_termination::VISITOR);
     CHECK(visitor.iterations == 1);
     CHECK(visitor.operations == visitor.most_operations + 1);
   }
@@ -736,7 +736,7 @@ TEST_CASE("Remeshing: a visitor is told of each iteration, what was done until i
 TEST_CASE("Remeshing: if all edges have about the length asked for, the report says so")
 {
   Mesh mesh = sphere(2); // edges of length 0.28 to 0.32
-  CHECK(remesh(mesh, 0.3, sphere_shell(), P::number_of_iterations(0)).end == BS::Edit_end::TARGET);
+  CHECK(remesh(mesh, 0.3, sphere_shell(), P::number_of_iterations(0)).end == BS::Edit_termination::TARGET);
 }
 
 TEST_CASE("Remeshing: in a shell as thin as it can be, most collapses are refused, and nothing breaks")
@@ -748,7 +748,7 @@ TEST_CASE("Remeshing: in a shell as thin as it can be, most collapses are refuse
     const auto report = remesh(mesh, target, shell);
     check_result(report, shell, mesh);
     CHECK(report.placements.number(Placement_verdict::LEAVES_SHELL) > 0);
-    CHECK(report.end == BS::Edit_end::SHELL);
+    CHECK(report.end == BS::Edit_termination::SHELL);
     if(target == 1.) CHECK(report.placements.number(Placement_verdict::LEAVES_SHELL) > 10 * report.collapses);
   }
 }
@@ -803,7 +803,7 @@ TEST_CASE("Remeshing: what cannot be remeshed is refused with a reason, and stay
     CHECK((report.invalid_parameter.value == target || std::isnan(target)));
     CHECK_FALSE(report.invalid_parameter.bounds.contains(target));
     CHECK(report.message() == message(report.invalid_parameter));
-    CHECK(report.end == BS::Edit_end::NOT_EDITED);
+    CHECK(report.end == BS::Edit_termination::NOT_EDITED);
   }
   // The bound is the length with too many facets: about 5.4e9 / length^2.
   const double shortest = remesh(mesh = sphere(2), 1e-6, sphere_shell()).invalid_parameter.bounds.lower;

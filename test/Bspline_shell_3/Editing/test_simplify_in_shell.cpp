@@ -194,7 +194,7 @@ TEST_CASE("Simplification: the result is certified, as coarse as asked for, and 
   CHECK(result.facets_before == start.number_of_faces());
   CHECK(result.facets == 300);
   CHECK(mesh.number_of_faces() == 300);
-  CHECK(result.end == BS::Edit_end::STOP_PREDICATE);
+  CHECK(result.end == BS::Edit_termination::STOP_PREDICATE);
   CHECK(result.collapsed == start.number_of_vertices() - mesh.number_of_vertices());
   for(BS::Verdict v : result.certificate.verdicts) CHECK(v == BS::Verdict::PROVED);
   CHECK(is_certified(sphere_shell(), mesh));
@@ -231,7 +231,7 @@ TEST_CASE("Simplification: without a stop it ends where every collapse is refuse
   REQUIRE(result);
   CHECK(result.facets < 400);
   CHECK(result.placements.number(Placement_verdict::LEAVES_SHELL) > 0);
-  CHECK(result.end == BS::Edit_end::SHELL);
+  CHECK(result.end == BS::Edit_termination::SHELL);
   CHECK(is_certified(torus_shell(), mesh));
   CHECK_FALSE(PMP::does_self_intersect(mesh));
   // The incremental proofs agree with the certificate on each facet.
@@ -381,34 +381,34 @@ TEST_CASE("Simplification: nothing changes when every collapse is refused")
   CHECK(result);
   CHECK(result.collapsed == 0);
   CHECK(result.placements.number(Placement_verdict::BASE_FILTER) == result.placements.rejected());
-  CHECK(result.end == BS::Edit_end::FILTER);
+  CHECK(result.end == BS::Edit_termination::FILTER);
   CHECK(is_equal(mesh, start));
   for(std::size_t n = 0; n < result.images.size(); ++n) CHECK(std::size_t(result.images[n]) == n);
 }
 
 TEST_CASE("Simplification: it reports who ended it: the predicate, the shell, a filter, or the mesh itself")
 {
-  using BS::Edit_end;
+  using BS::Edit_termination;
   const auto end = [](const auto& np, const Shell& shell) {
     Mesh mesh = sphere(2);
     const auto result = simplify(mesh, shell, np);
     CHECK(std::string(message(result.end)).size() > 20);
-    CHECK((result.end == Edit_end::NOT_EDITED) == !result);
+    CHECK((result.end == Edit_termination::NOT_EDITED) == !result);
     return result.end;
   };
   // The shell does not permit the first target, but the second one.
-  CHECK(end(P::stop(BS::Facet_count_stop_predicate(4)), sphere_shell()) == Edit_end::SHELL);
-  CHECK(end(P::stop(BS::Facet_count_stop_predicate(200)), sphere_shell()) == Edit_end::STOP_PREDICATE);
+  CHECK(end(P::stop(BS::Facet_count_stop_predicate(4)), sphere_shell()) == Edit_termination::SHELL);
+  CHECK(end(P::stop(BS::Facet_count_stop_predicate(200)), sphere_shell()) == Edit_termination::STOP_PREDICATE);
   // If both the filter and the shell reject placements, the shell is reported.
   const auto is_on_one_side = [](const auto& profile, auto placement) {
     return profile.p0().x() < 0 ? decltype(placement)() : placement;
   };
-  CHECK(end(P::filter(is_on_one_side), sphere_shell()) == Edit_end::SHELL);
+  CHECK(end(P::filter(is_on_one_side), sphere_shell()) == Edit_termination::SHELL);
   // all edges are constrained
   Mesh mesh = sphere(2);
   const auto all = mesh.add_property_map<Mesh::Edge_index, bool>("e:all", true).first;
-  CHECK(simplify(mesh, sphere_shell(), P::edge_is_constrained_map(all)).end == Edit_end::MESH);
-  CHECK(end(CGAL::parameters::default_values(), Shell()) == Edit_end::NOT_EDITED);
+  CHECK(simplify(mesh, sphere_shell(), P::edge_is_constrained_map(all)).end == Edit_termination::MESH);
+  CHECK(end(CGAL::parameters::default_values(), Shell()) == Edit_termination::NOT_EDITED);
 }
 
 TEST_CASE("Simplification: an exception of the caller's leaves the mesh as it was")
@@ -715,7 +715,7 @@ TEST_CASE("Simplification: what cannot be simplified is refused with a reason, a
     CHECK(is_equal(mesh, before));
     CHECK(std::string(message(result.status)).size() > 20);
     CHECK(result.message() == message(result.status));
-    CHECK(result.end == BS::Edit_end::NOT_EDITED);
+    CHECK(result.end == BS::Edit_termination::NOT_EDITED);
     return result;
   };
   CHECK(refused(sphere(1), Shell()).status == Status::NO_SHELL);
@@ -756,7 +756,7 @@ TEST_CASE("Simplification: of a Polyhedron_3, with other costs, and with a stop 
     P::stop(cancel).get_cost(SMS::Edge_length_cost<Polyhedron>()).get_placement(SMS::Midpoint_placement<Polyhedron>()));
   REQUIRE(result);
   CHECK(asked == 41);
-  CHECK(result.end == BS::Edit_end::STOP_PREDICATE);
+  CHECK(result.end == BS::Edit_termination::STOP_PREDICATE);
   CHECK(result.collapsed > 0);
   CHECK(result.collapsed <= 40);
   CHECK(num_vertices(mesh) == vertices - result.collapsed);

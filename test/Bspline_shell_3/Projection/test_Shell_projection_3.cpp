@@ -304,7 +304,7 @@ TEST_CASE("Projection: the image is on the sheet that the curve meets, not on th
       CHECK(distance(image.point, Point_3(0.2, 0.3, 0.5)) <= project.tolerance());
     }
     const Image below = project(Point_3(0.2, 0.3, -0.3));
-    CHECK(below.status == (lower_faces_down ? Flow_status::SUCCESS : Flow_status::FACES_WRONG_WAY));
+    CHECK(below.status == (lower_faces_down ? Flow_status::SUCCESS : Flow_status::WRONG_ORIENTATION));
     CHECK(project(Point_3(0.2, 0.3, 0.01)).status == Flow_status::STARTS_OUTSIDE);
     CHECK(project(Point_3(0.2, 0.3, 0)).status == Flow_status::STARTS_OUTSIDE); // no curve starts here
   }
@@ -334,7 +334,7 @@ TEST_CASE("Projection: what has no image has a status, and nothing else")
 
   Mesh turned = good;
   CGAL::Polygon_mesh_processing::reverse_face_orientations(turned);
-  for(const Point_3& q : random_points(50)) check(projection(radial_shell(), turned)(q), Flow_status::FACES_WRONG_WAY);
+  for(const Point_3& q : random_points(50)) check(projection(radial_shell(), turned)(q), Flow_status::WRONG_ORIENTATION);
 
   const Mesh empty;
   CHECK(projection(radial_shell(), empty).target().is_valid());

@@ -96,7 +96,7 @@ TEST_CASE("Front door: an open mesh is closed virtually, and components that fac
   const BS::Shell_of_soup_3 hollow = CGAL::certified_shell_of_soup_3(soup_of(two));
   REQUIRE(hollow.is_certified());
   CHECK(hollow.kind() == BS::Shell_kind::CLOSED);
-  CHECK(hollow.repairs.turned_components);
+  CHECK(hollow.repairs.reversed_components);
 }
 
 TEST_CASE("Near duplicates: points that are almost, but not quite, at others are counted")

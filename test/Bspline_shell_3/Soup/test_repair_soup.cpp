@@ -67,9 +67,9 @@ TEST_CASE("Repair: triangles that share no points, some turned, some doubled, so
   CHECK(mesh.number_of_vertices() == ball.number_of_vertices());
   CHECK(CGAL::is_closed(mesh));
   CHECK(repairs.merged_points == 3 * facets - ball.number_of_vertices());
-  CHECK(repairs.doubled_polygons == 7);
+  CHECK(repairs.duplicate_polygons == 7);
   CHECK(repairs.removed_polygons == 2);
-  CHECK((std::min)(repairs.turned_polygons, facets - repairs.turned_polygons) == (facets + 4) / 5);
+  CHECK((std::min)(repairs.reversed_polygons, facets - repairs.reversed_polygons) == (facets + 4) / 5);
   CHECK(repairs.degenerate_facets == 0);
   CHECK_FALSE(repairs.is_none());
 }
@@ -118,7 +118,7 @@ TEST_CASE("Repair: offenders are those of the soup, whatever was removed before"
                         mesh, repairs, offenders)
         == BS::Shell_status::NON_MANIFOLD);
   CHECK(offenders.facets == std::vector<std::size_t>{ 1, 3, 5 });
-  CHECK(repairs.doubled_polygons == 1);
+  CHECK(repairs.duplicate_polygons == 1);
   CHECK(mesh.is_empty());
 }
 

@@ -440,7 +440,7 @@ TEST_CASE("Transfer: what fails is named, and values there are left alone")
   CHECK(BS::average_vertex_attribute(of_quads, d, d2).failures.size() == b.number_of_vertices());
   Mesh turned_round = a;
   for(auto v : turned_round.vertices()) turned_round.point(v) = CGAL::ORIGIN - (turned_round.point(v) - CGAL::ORIGIN);
-  check_none(Map(ball(), turned_round, b), Flow_status::FACES_WRONG_WAY);
+  check_none(Map(ball(), turned_round, b), Flow_status::WRONG_ORIENTATION);
   Mesh elsewhere = a;
   for(auto v : elsewhere.vertices()) elsewhere.point(v) = elsewhere.point(v) + 2 * (elsewhere.point(v) - CGAL::ORIGIN);
   const Map outside(ball(), elsewhere, b);
@@ -602,7 +602,7 @@ TEST_CASE("Transfer: a facet without an area has no tangent vectors, and is name
        w2 = map_of<Face, Vector_3>(b, "f:w", Vector_3(-7, -7, -7));
   const BS::Transfer_report report = BS::transfer_tangent_vectors(Map(slab(), a, b), w, w2);
   REQUIRE(report.failures.size() == 1);
-  CHECK(report.failures[0] == std::make_pair(before, Flow_status::FACES_WRONG_WAY));
+  CHECK(report.failures[0] == std::make_pair(before, Flow_status::WRONG_ORIENTATION));
   CHECK(w2[Face(Mesh::size_type(before))] == Vector_3(-7, -7, -7));
 }
 

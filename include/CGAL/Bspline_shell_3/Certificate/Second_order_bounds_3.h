@@ -152,7 +152,7 @@ private:
   struct Cell_bounds
   {
     Matrix_range above, below, field;              // second derivatives, of the margins and the field
-    Coordinates least_gradient, greatest_gradient; // field's gradient, by component
+    Coordinates least_gradient, largest_gradient; // field's gradient, by component
     double steepness, curvature; // sums of absolute first and second derivatives, of the margins and the field
     double gradient_error;       // bounds the roundings of the gradient's components at a point
   };
@@ -283,7 +283,7 @@ private:
     bounds.below = second_derivatives(below, width);
     const Slopes gradient = slopes(f, width);
     bounds.least_gradient = gradient.least;
-    bounds.greatest_gradient = gradient.most;
+    bounds.largest_gradient = gradient.most;
     bounds.curvature = (std::max)({ bounds.field.size(), bounds.above.size(), bounds.below.size() });
     bounds.steepness = (std::max)({ size(gradient), size(slopes(above, width)), size(slopes(below, width)) });
     // This bounds errors of values at points in the cell, as Form_error covers more roundings than there are. A
@@ -453,8 +453,8 @@ private:
       double sum = 0, size = 0;
       for(int a = 0; a < 3; ++a) {
         sum += (std::min)(m_normal.direction[a] * cell.least_gradient[a],
-                          m_normal.direction[a] * cell.greatest_gradient[a]);
-        size += (std::max)(std::abs(cell.least_gradient[a]), std::abs(cell.greatest_gradient[a]));
+                          m_normal.direction[a] * cell.largest_gradient[a]);
+        size += (std::max)(std::abs(cell.least_gradient[a]), std::abs(cell.largest_gradient[a]));
       }
       const double least = sum - (2 * m_normal.radius + 8 * internal::rounding) * size;
       const bool is_transversal = least > 0 && least >= m_enough;

@@ -242,7 +242,7 @@ private:
   void reuse_certificate_of(const Bspline_shell_3<Field, Threshold>& shell)
   {
     const Certificate_report& report = shell.report().certificate;
-    m_proved_cover = { shell.proved_cover(), report.covers, report.least_gradient, report.greatest_gradient };
+    m_proved_cover = { shell.proved_cover(), report.covers, report.least_gradient, report.largest_gradient };
     const bool is_certified = shell.is_certified();
     m_paths = { is_certified ? shell.component_paths() : shell.path_candidates(), is_certified, is_certified };
   }
@@ -304,7 +304,7 @@ bool Shell_certificate_3<Field, Threshold>::verify(std::shared_ptr<const Input_m
     internal::examine_components(mesh, m_last.seeds, m_paths, draft);
   } else {
     for(Claim claim : { Claim::GRADIENT, Claim::ONE_SHEET, Claim::DEGREE_ONE })
-      draft.conclude(internal::witness(claim, Verdict::UNDECIDED, Certificate_witness::CONTAINMENT_NEEDED));
+      draft.conclude(internal::witness(claim, Verdict::UNDECIDED, Certificate_witness::CONTAINMENT_NOT_PROVED));
   }
   draft.statistics.seconds = timer.time();
   // Published last: an exception leaves every claim undecided.

@@ -102,7 +102,7 @@ public:
   Field update() { return std::exchange(*m_field, m_field->template with_coefficients<ConcurrencyTag>(m_x * width())); }
 
   /// increases the weight of the surface term of later fits in some cells
-  void ask_nearer_to_zero(const std::vector<Index>& cells)
+  void increase_surface_weights(const std::vector<Index>& cells)
   {
     if(cells.empty()) return;
     m_surface_factors.resize(m_field->number_of_cells(), 1);

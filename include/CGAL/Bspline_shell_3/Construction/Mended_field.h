@@ -39,20 +39,20 @@ namespace Bspline_shells {
  * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
  */
 template <typename ConcurrencyTag>
-class Mended_field
+class Corrected_field
 {
 public:
   typedef Refinement_problem::Field Field;
   typedef Field::Cell_index Index;
 
   /// \pre the arguments outlive this object
-  Mended_field(Refinement_problem& problem, Fitted_field<ConcurrencyTag>& fitted,
+  Corrected_field(Refinement_problem& problem, Fitted_field<ConcurrencyTag>& fitted,
                Examined_field<ConcurrencyTag>& examined, Refinement_budget& budget)
     : m_problem(problem), m_tuning(problem.parameters.tuning), m_fitted(fitted), m_examined(examined), m_budget(budget)
   {}
 
   /// corrects the field until all conditions are met, or corrections no longer help.
-  /// \return `false` if too many conditions fail; `sloping_facets()` then returns them
+  /// \return `false` if too many conditions fail; `facets_with_small_slopes()` then returns them
   bool mend()
   {
     if(!m_enforcement) begin();
@@ -73,7 +73,7 @@ public:
   }
 
   /// returns the facets whose slope still fails
-  const std::vector<Sloping_facet>& sloping_facets() const { return m_sloping; }
+  const std::vector<Sloping_facet>& facets_with_small_slopes() const { return m_sloping; }
 
   /// returns whether more cells are thick than corrections can handle
   bool are_many_thick() const

@@ -146,7 +146,7 @@ public:
   }
 
   /// returns the places where a pass of the last `choose()` found little or no room
-  std::vector<Threshold_obstacle> tight_places() const
+  std::vector<Threshold_obstacle> narrow_places() const
   {
     std::vector<Threshold_obstacle> places;
     for(const auto& tight : m_tight) places.push_back(tight.second);

@@ -63,7 +63,7 @@ public:
   }
 
   /// returns whether the last round was partial and made no progress
-  bool was_part_in_vain() const
+  bool was_partial_round_stalled() const
   {
     const std::size_t n = m_rounds.size();
     if(n < 2 || !m_rounds[n - 1].partial) return false;

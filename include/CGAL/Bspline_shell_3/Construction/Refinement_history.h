@@ -75,7 +75,7 @@ public:
     m_fewest_obstacles = (std::min)(m_fewest_obstacles, double(round.undecided_cells));
   }
   /// returns whether the last rounds made no progress
-  bool is_in_vain() const { return m_rounds_in_vain >= m_tuning.max_rounds_in_vain; }
+  bool is_stalled() const { return m_rounds_in_vain >= m_tuning.max_rounds_in_vain; }
 
   /// returns the cells of facets that have not reached the number of refinements allowed
   std::vector<std::uint32_t> cells_worth_refining(const std::vector<Sloping_facet>& facets) const

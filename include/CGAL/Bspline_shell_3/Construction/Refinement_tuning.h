@@ -28,7 +28,7 @@ struct Refinement_tuning
   double largest_part = 0.75;
   /// @}
 
-  /// \name Corrections of slopes and values on the mesh (`Mended_field`)
+  /// \name Corrections of slopes and values on the mesh (`Corrected_field`)
   /// @{
 
   /// Number of times that a facet with a failing slope may cause refinement. Further refinement does not help.

@@ -63,7 +63,7 @@ inline std::vector<std::uint32_t> cells_of(const std::vector<Threshold_obstacle>
  * \return the cells, ascending
  */
 template <typename ConcurrencyTag, typename Field>
-std::vector<std::uint32_t> culprits_of(const Field& field, const std::vector<Level_range>& ranges,
+std::vector<std::uint32_t> causing_cells_of(const Field& field, const std::vector<Level_range>& ranges,
                                        const std::vector<Threshold_obstacle>& obstacles, double part)
 {
   typedef typename Field::Cell_index Index;

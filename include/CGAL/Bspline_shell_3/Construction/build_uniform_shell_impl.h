@@ -208,7 +208,7 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
     Shell_component component = shell_component(field, clipped.cells(), levels);
     const bool is_open = !component.border_cells.empty();
     const bool may_widen = !parameters.rings && report.widenings < max_widenings;
-    if(is_open && !may_widen && !parameters.allow_open_shell) return stop(Status::SHELL_LEAVES_BAND);
+    if(is_open && !may_widen && !parameters.allow_open_shell) return stop(Status::SHELL_REACHES_BOUNDARY);
     if(is_open && may_widen) {
       construction.start(Shell_step::CELLS);
       internal::widen(field, component.border_cells, 2 + report.widenings, keys);

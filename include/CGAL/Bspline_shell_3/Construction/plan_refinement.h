@@ -27,14 +27,14 @@ struct Round_findings
 {
   typedef Cell_hierarchy_3::Index Index;
 
-  std::vector<Index> sloping;        ///< cells with failing slopes after corrections
+  std::vector<Index> facets_to_steepen;        ///< cells with failing slopes after corrections
   std::vector<Index> thick;          ///< thick cells after corrections
   bool are_many_thick = false;       ///< whether they are too many for corrections
   std::vector<Index> thick_at_first; ///< thick and nearly thick cells before corrections, if many were thick
   std::vector<Threshold_obstacle> obstacles;
   Obstacle_kind kind = Obstacle_kind::FEW; ///< kind of the obstacles
-  std::vector<Index> culprits;             ///< at narrow gaps: cells where the field leaves no room for thresholds
-  std::vector<Index> similar;              ///< cells that are similar to culprits (`similar_cells()`)
+  std::vector<Index> causing_cells;             ///< at narrow gaps: cells where the field leaves no room for thresholds
+  std::vector<Index> similar;              ///< cells that are similar to causing_cells (`similar_cells()`)
   std::vector<Index> two_sheets;           ///< cells in which an integral curve meets the mesh twice
 };
 
@@ -50,7 +50,7 @@ struct Refinement_plan
   std::vector<Index> split;          ///< cells to split, ascending; empty if none can be split
   std::vector<Index> at_gaps;        ///< cells to split repeatedly where gaps are far narrower than the cell
   std::vector<Index> similar;        ///< cells to split as well, if the limits allow it
-  std::vector<Index> nearer_to_zero; ///< cells in which later fits get a larger weight of the surface term
+  std::vector<Index> with_larger_weights; ///< cells in which later fits get a larger weight of the surface term
 };
 
 /*!
@@ -80,7 +80,7 @@ inline Refinement_plan plan_refinement(const Cell_hierarchy_3& cells, const Roun
     for(Index c : chosen) marked.mark_widely(c, axes);
   };
 
-  mark_widely(found.sloping, all_axes);
+  mark_widely(found.facets_to_steepen, all_axes);
   if(found.are_many_thick) {
     mark(found.thick);
     mark(found.thick_at_first);
@@ -91,12 +91,12 @@ inline Refinement_plan plan_refinement(const Cell_hierarchy_3& cells, const Roun
   switch(found.kind) {
     case Obstacle_kind::THICK_FIELD: mark(found.thick_at_first); break;
     case Obstacle_kind::NARROW_GAPS:
-      mark(found.culprits);
-      if(marked.empty()) mark_widely(obstacles, all_axes); // culprits have the least size
-      plan.at_gaps = found.culprits;
+      mark(found.causing_cells);
+      if(marked.empty()) mark_widely(obstacles, all_axes); // causing_cells have the least size
+      plan.at_gaps = found.causing_cells;
       plan.similar = found.similar;
-      plan.nearer_to_zero = found.culprits;
-      plan.nearer_to_zero.insert(plan.nearer_to_zero.end(), obstacles.begin(), obstacles.end());
+      plan.with_larger_weights = found.causing_cells;
+      plan.with_larger_weights.insert(plan.with_larger_weights.end(), obstacles.begin(), obstacles.end());
       break;
     case Obstacle_kind::MANY: plan.at_gaps = obstacles; [[fallthrough]];
     case Obstacle_kind::FEW:

@@ -10,7 +10,7 @@
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Construction/Examined_field.h>
 #include <CGAL/Bspline_shell_3/Construction/Fitted_field.h>
-#include <CGAL/Bspline_shell_3/Construction/Mended_field.h>
+#include <CGAL/Bspline_shell_3/Construction/Corrected_field.h>
 #include <CGAL/Bspline_shell_3/Construction/Mesh_ranges.h>
 #include <CGAL/Bspline_shell_3/Construction/Narrowed_thresholds.h>
 #include <CGAL/Bspline_shell_3/Construction/Refinement_budget.h>
@@ -53,7 +53,7 @@ namespace Bspline_shells {
  *
  * A round consists of these steps:
  * - `Fitted_field` fits the energy on the present cells.
- * - `Mended_field` corrects the field where slopes of facets are too small or |f| is too large on the mesh, if few
+ * - `Corrected_field` corrects the field where slopes of facets are too small or |f| is too large on the mesh, if few
  *   cells are affected.
  * - `Narrowed_thresholds` chooses thresholds. Where the mesh requires wider ones than obstacles allow, the field is
  *   corrected again.
@@ -87,21 +87,21 @@ public:
     for(std::size_t round = 1;; ++round) {
       const std::optional<Refinement_status> failure = fit(std::move(cells));
       if(failure) return *failure;
-      Round_findings found = mend_and_choose_thresholds();
+      Round_findings found = correct_and_choose_thresholds();
       if(m_examined.thresholds().are_chosen() && plan(found).split.empty() && certify(found))
         return Refinement_status::CERTIFIED;
 
       const Refinement_plan next = plan(found);
       m_budget.round().marked_cells = next.split.size();
-      const bool in_vain = next.split.empty() || m_history.is_in_vain();
+      const bool in_vain = next.split.empty() || m_history.is_stalled();
       if(!in_vain) {
         cells = refined_cells(next);
         m_limit = limit_of_round(cells.number_of_cells()); // before the memory is taken
         if(round >= m_problem.parameters.max_rounds) m_limit.resource = Refinement_resource::ROUNDS;
       }
       if(in_vain || m_limit.resource != Refinement_resource::NONE) {
-        certify_as_it_is(found);
-        return in_vain ? Refinement_status::NOTHING_TO_REFINE : Refinement_status::LIMIT_REACHED;
+        certify_last_field(found);
+        return in_vain ? Refinement_status::NO_PROGRESS : Refinement_status::LIMIT_REACHED;
       }
     }
   }
@@ -130,11 +130,11 @@ public:
 
 private:
   typedef Field::Cell_index Index;
-  typedef Mended_field<ConcurrencyTag> Mended;
+  typedef Corrected_field<ConcurrencyTag> Mended;
 
   std::optional<Refinement_status> fit(Cell_hierarchy_3 cells)
   {
-    const bool may_be_partial = m_is_mended && !m_budget.was_part_in_vain();
+    const bool may_be_partial = m_is_corrected && !m_budget.was_partial_round_stalled();
     const std::shared_ptr<const Field> before = field();
     m_budget.begin_round();
     m_certificate.reset();
@@ -146,7 +146,7 @@ private:
   }
 
   // corrects the field, chooses thresholds, and returns what still fails
-  Round_findings mend_and_choose_thresholds()
+  Round_findings correct_and_choose_thresholds()
   {
     Round_findings found;
     Mended mended(m_problem, m_fitted, m_examined, m_budget);
@@ -154,26 +154,26 @@ private:
     m_examined.find_thick_cells(m_budget);
     if(m_examined.thick_cells().size() > m_fitted.cells_at_mesh() / m_tuning.many_thick_at_first)
       found.thick_at_first = nearly_thick_cells();
-    m_is_mended = !mended.are_many_thick() && mended.mend();
+    m_is_corrected = !mended.are_many_thick() && mended.mend();
     m_budget.end_step(Refinement_budget::SLOPES);
     note(mended, found);
-    if(m_is_mended && !found.are_many_thick) {
+    if(m_is_corrected && !found.are_many_thick) {
       m_problem.start(Shell_step::CERTIFICATE);
       choose_thresholds(mended, found);
       m_budget.end_step(Refinement_budget::CERTIFICATE);
       m_history.add_round(m_budget.round(), m_examined.thresholds().undecided_volume());
     }
-    m_history.add_refinements(mended.sloping_facets());
+    m_history.add_refinements(mended.facets_with_small_slopes());
     return found;
   }
 
   // records what fails after corrections
   void note(const Mended& mended, Round_findings& found) const
   {
-    found.sloping = m_history.cells_worth_refining(mended.sloping_facets());
+    found.facets_to_steepen = m_history.cells_worth_refining(mended.facets_with_small_slopes());
     found.are_many_thick = mended.are_many_thick();
     found.thick.clear();
-    if(m_is_mended || found.are_many_thick)
+    if(m_is_corrected || found.are_many_thick)
       for(const Thick_cell& t : m_examined.thick_cells()) found.thick.push_back(t.cell);
   }
 
@@ -202,16 +202,16 @@ private:
       const std::vector<Slope_condition> conditions = conditions_at(obstacles);
       if(conditions.empty()) break;
       m_budget.end_step(Refinement_budget::CERTIFICATE);
-      m_is_mended = mended.mend(conditions);
+      m_is_corrected = mended.mend(conditions);
       m_budget.end_step(Refinement_budget::SLOPES);
       note(mended, found);
-      if(!m_is_mended || !plan(found).split.empty()) break;
+      if(!m_is_corrected || !plan(found).split.empty()) break;
       obstacles = chosen_thresholds(Narrowing_limits().max_passes);
       cells = cells_of(obstacles).size();
     }
     m_budget.round().undecided_cells = obstacles.size();
     found.kind = m_history.kind_of_obstacles(cells, m_fitted.cells_at_mesh(), !found.thick_at_first.empty());
-    if(found.kind == Obstacle_kind::NARROW_GAPS) find_culprits(obstacles, found);
+    if(found.kind == Obstacle_kind::NARROW_GAPS) find_causing_cells(obstacles, found);
     found.obstacles = std::move(obstacles);
   }
 
@@ -239,16 +239,16 @@ private:
 
   // Finds the cells where |f| leaves thresholds little or no room to pass obstacles. If few obstacles leave no room,
   // similar cells are added.
-  void find_culprits(const std::vector<Threshold_obstacle>& obstacles, Round_findings& found)
+  void find_causing_cells(const std::vector<Threshold_obstacle>& obstacles, Round_findings& found)
   {
-    std::vector<Threshold_obstacle> places = m_examined.thresholds().tight_places();
+    std::vector<Threshold_obstacle> places = m_examined.thresholds().narrow_places();
     places.insert(places.end(), obstacles.begin(), obstacles.end());
     const std::vector<Level_range>& ranges = m_examined.ranges(Mesh_ranges::SHARP);
-    found.culprits = culprits_of<ConcurrencyTag>(*field(), ranges, places, m_tuning.most_at_obstacles);
+    found.causing_cells = causing_cells_of<ConcurrencyTag>(*field(), ranges, places, m_tuning.most_at_obstacles);
     if(cells_of(obstacles).size() > many_obstacles(m_fitted.cells_at_mesh(), m_tuning)) return;
     const Cell_hierarchy_3& cells = field()->cells();
     std::vector<Index> considerable;
-    for(Index c : found.culprits)
+    for(Index c : found.causing_cells)
       if(cells.level(c) < cells.max_level()
          && ranges[c].largest_size() > m_tuning.considerable * m_problem.half_thickness(*field(), c))
         considerable.push_back(c);
@@ -262,7 +262,7 @@ private:
 
   Cell_hierarchy_3 refined_cells(const Refinement_plan& plan)
   {
-    m_fitted.ask_nearer_to_zero(plan.nearer_to_zero);
+    m_fitted.increase_surface_weights(plan.with_larger_weights);
     if(!plan.similar.empty()) {
       const auto with_similar = [&](std::vector<Index> cells) {
         cells.insert(cells.end(), plan.similar.begin(), plan.similar.end());
@@ -270,7 +270,7 @@ private:
       };
       Cell_hierarchy_3 cells = refined_cells(with_similar(plan.split), with_similar(plan.at_gaps));
       if(!is_beyond_limits(cells.number_of_cells())) {
-        m_fitted.ask_nearer_to_zero(plan.similar);
+        m_fitted.increase_surface_weights(plan.similar);
         return cells;
       }
     }
@@ -310,7 +310,7 @@ private:
   }
 
   // computes a certificate of the last field, even if some claims fail
-  void certify_as_it_is(Round_findings& found)
+  void certify_last_field(Round_findings& found)
   {
     if(!m_examined.thresholds().are_chosen()) {
       constexpr int once = 1;
@@ -329,7 +329,7 @@ private:
   Refinement_history m_history;
   Refinement_budget m_budget;
   Refinement_limit m_limit;
-  bool m_is_mended = false; // whether the last correction was completed
+  bool m_is_corrected = false; // whether the last correction was completed
   std::optional<Certificate> m_certificate;
   std::vector<Threshold_obstacle> m_obstacles; // of the last round
 };
@@ -341,7 +341,7 @@ std::vector<Refinement_obstacle> Certified_refinement<ConcurrencyTag>::obstacles
   for(const Threshold_obstacle& o : m_obstacles) places.insert({ o.cell, o.point });
   for(const Certificate_witness& w : m_certificate->witnesses()) {
     // These witnesses have no place.
-    if(w.reason == Certificate_witness::TWO_SHEETS || w.reason == Certificate_witness::CONTAINMENT_NEEDED) continue;
+    if(w.reason == Certificate_witness::TWO_SHEETS || w.reason == Certificate_witness::CONTAINMENT_NOT_PROVED) continue;
     const Index c = field()->locate(Field::Point_3(w.point[0], w.point[1], w.point[2]));
     if(c != Field::npos) places.insert({ c, w.point });
   }

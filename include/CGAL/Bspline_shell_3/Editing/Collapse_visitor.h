@@ -56,7 +56,7 @@ private:
 /// \brief a visitor that does nothing, for any type of profile.
 ///
 /// \cgalModels `EdgeCollapseSimplificationVisitor`
-struct Silent_collapse_visitor
+struct Default_collapse_visitor
 {
   template <typename TriangleMesh>
   void OnStarted(TriangleMesh&)
@@ -98,7 +98,7 @@ struct Silent_collapse_visitor
  * \tparam TriangleMesh a model of `FaceListGraph`
  * \tparam BaseVisitor a model of `EdgeCollapseSimplificationVisitor`
  */
-template <typename TriangleMesh, typename BaseVisitor = Silent_collapse_visitor>
+template <typename TriangleMesh, typename BaseVisitor = Default_collapse_visitor>
 class Collapse_visitor
 {
 public:

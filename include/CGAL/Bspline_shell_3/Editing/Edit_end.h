@@ -11,7 +11,7 @@ namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Editing
 /// the reason why an edit ended. With the values from `SHELL` on, the target may not have been reached.
-enum class Edit_end
+enum class Edit_termination
 {
   NOT_EDITED,     ///< the mesh is unchanged: the status is the reason
   TARGET,         ///< remeshing: all edges have about the requested length
@@ -25,17 +25,17 @@ enum class Edit_end
 
 /// \ingroup PkgBsplineShell3Editing
 /// returns the reason in one sentence
-inline const char* message(Edit_end end)
+inline const char* message(Edit_termination end)
 {
   switch(end) {
-    case Edit_end::NOT_EDITED: return "The mesh was not edited.";
-    case Edit_end::TARGET: return "All edges have about the length asked for.";
-    case Edit_end::STOP_PREDICATE: return "The stop predicate ended the edit.";
-    case Edit_end::VISITOR: return "The visitor ended the edit.";
-    case Edit_end::SHELL: return "The shell rejects what would lead further: ask for a thicker shell.";
-    case Edit_end::FILTER: return "The filter allows no more.";
-    case Edit_end::MESH: return "The connectivity of the mesh, its constraints or frozen facets allow no more.";
-    case Edit_end::ITERATIONS: return "All iterations were done: more of them may lead further.";
+    case Edit_termination::NOT_EDITED: return "The mesh was not edited.";
+    case Edit_termination::TARGET: return "All edges have about the length asked for.";
+    case Edit_termination::STOP_PREDICATE: return "The stop predicate ended the edit.";
+    case Edit_termination::VISITOR: return "The visitor ended the edit.";
+    case Edit_termination::SHELL: return "The shell rejects what would lead further: ask for a thicker shell.";
+    case Edit_termination::FILTER: return "The filter allows no more.";
+    case Edit_termination::MESH: return "The connectivity of the mesh, its constraints or frozen facets allow no more.";
+    case Edit_termination::ITERATIONS: return "All iterations were done: more of them may lead further.";
   }
   return "";
 }

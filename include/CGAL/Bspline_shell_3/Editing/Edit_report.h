@@ -7,7 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_EDITING_EDIT_REPORT_H
 
 #include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
-#include <CGAL/Bspline_shell_3/Editing/Edit_end.h>
+#include <CGAL/Bspline_shell_3/Editing/Edit_termination.h>
 #include <CGAL/Bspline_shell_3/Editing/Edit_status.h>
 #include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
 #include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
@@ -28,7 +28,7 @@ namespace Bspline_shells {
 struct Edit_report
 {
   Edit_status status = Edit_status::NO_SHELL;
-  Edit_end end = Edit_end::NOT_EDITED; ///< the reason why the edit ended, and why a target was not reached
+  Edit_termination end = Edit_termination::NOT_EDITED; ///< the reason why the edit ended, and why a target was not reached
   Invalid_parameter invalid_parameter; ///< the rejected parameter, if the status is `INVALID_PARAMETER`
   /// facets and vertices where the mesh is not in the shell before the edit. The vertex of a tip stands for the
   /// triangles that replace the tip in the shell.
@@ -42,7 +42,7 @@ struct Edit_report
   std::size_t facets_before = 0, facets = 0;               ///< numbers of facets of the mesh
   std::size_t constrained_edges = 0;                       ///< number in the result; 0 if the mesh was not edited
   Placement_statistics placements;                         ///< all placements that were tried, by verdict
-  /// certificate of the result; with `EDITED_EXCEPT_FROZEN`, not all of its claims are proved
+  /// certificate of the result; with `PARTIALLY_EDITED`, not all of its claims are proved
   Certificate_report certificate;
   /// whether the edit was undone and repeated with a proof for each facet. In the first run, facets that passed an
   /// estimate were accepted without a proof, and the certificate failed.

@@ -11,13 +11,13 @@ namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Editing
 /// the outcome of the simplification or remeshing of a mesh. The mesh is unchanged unless the value is `SUCCESS` or
-/// `EDITED_EXCEPT_FROZEN`.
+/// `PARTIALLY_EDITED`.
 enum class Edit_status
 {
   SUCCESS, ///< the result is certified
   /// with `freeze_rejected_facets(true)`: facets were frozen, and the result is not certified. The other facets are
   /// proved to lie in the shell and to face along the gradient
-  EDITED_EXCEPT_FROZEN,
+  PARTIALLY_EDITED,
   NO_SHELL,              ///< there is no shell
   INVALID_PARAMETER,     ///< a parameter has an invalid value (`Edit_report::invalid_parameter`)
   MEMORY_LIMIT_EXCEEDED, ///< the result and its certificate would need more memory than allowed
@@ -37,7 +37,7 @@ inline const char* message(Edit_status status)
 {
   switch(status) {
     case Edit_status::SUCCESS: return "The mesh was edited, and the result is certified.";
-    case Edit_status::EDITED_EXCEPT_FROZEN:
+    case Edit_status::PARTIALLY_EDITED:
       return "The mesh was edited except for the frozen facets, and is not certified: only its other facets are proved "
              "to lie in the shell and "
              "to face along the gradient.";

@@ -104,7 +104,7 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *         to face along the gradient is rejected. If `true`, these facets are frozen: none of their vertices is moved
  *         or removed, and none of their edges is flipped, split or collapsed. If all facets at a vertex are accepted,
  *         but their fan does not wind once, they are frozen, too. The other facets are edited; see
- *         `Edit_status::EDITED_EXCEPT_FROZEN`.}
+ *         `Edit_status::PARTIALLY_EDITED`.}
  *       \cgalParamType{`bool`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{do_project}

@@ -116,7 +116,7 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *         to face along the gradient is rejected. If `true`, these facets are frozen: none of their vertices is moved
  *         or removed, and edges with an end at one of these are not collapsed. If all facets at a vertex are accepted,
  *         but their fan does not wind once, they are frozen, too. The other facets are edited; see
- *         `Edit_status::EDITED_EXCEPT_FROZEN`.}
+ *         `Edit_status::PARTIALLY_EDITED`.}
  *       \cgalParamType{`bool`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{time_limit}
@@ -191,7 +191,7 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
   const Status usable = internal::check_before_edits(mesh, vpm, shell);
   if(usable != Status::SUCCESS) return ended(usable);
 
-  auto&& visitor = internal::argument<Silent_collapse_visitor>(np, internal_np::visitor);
+  auto&& visitor = internal::argument<Default_collapse_visitor>(np, internal_np::visitor);
   // A rollback is not observable; costs are initialized for each run.
   constexpr bool may_repeat = is_default_parameter<CGAL_NP_CLASS, internal_np::visitor_t>::value
                               && is_default_parameter<CGAL_NP_CLASS, internal_np::filter_t>::value

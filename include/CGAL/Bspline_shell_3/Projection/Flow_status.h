@@ -19,15 +19,15 @@ enum class Flow_status
 {
   SUCCESS,
   COMPONENTS_UNKNOWN, ///< maps: it is unknown whether both meshes lie in the same components of the shell
-  OTHER_COMPONENTS,   ///< a component of the shell contains no part of the source, or no part of the target
+  COMPONENTS_DIFFER,   ///< a component of the shell contains no part of the source, or no part of the target
   NO_SHELL,           ///< there is no shell
   INVALID_MESH,       ///< the target has facets that are not triangles, or coordinates that are not finite
   NOT_FINITE,         ///< a coordinate of the point is infinite or not a number
   STARTS_OUTSIDE,     ///< the point is not in the shell
   LEAVES_SHELL,       ///< the curve leaves the shell without meeting the target
-  FACES_WRONG_WAY,    ///< the curve meets the target only at facets that face against the gradient
+  WRONG_ORIENTATION,    ///< the curve meets the target only at facets that face against the gradient
   GRADIENT_VANISHES,  ///< the curve runs into a critical point, up to rounding
-  TOO_MANY_STEPS,     ///< the tolerance cannot be met
+  TOLERANCE_NOT_MET,     ///< the tolerance cannot be met
   CANCELED            ///< the visitor canceled before the point was processed
 };
 
@@ -44,7 +44,7 @@ inline const char* message(Flow_status status)
     case Flow_status::INVALID_MESH:
       return "The target must have triangles only, and finite coordinates: triangulate it "
              "(CGAL::Polygon_mesh_processing::triangulate_faces).";
-    case Flow_status::OTHER_COMPONENTS:
+    case Flow_status::COMPONENTS_DIFFER:
       return "A component of the shell holds no part of one of the meshes, so that they are not mapped onto each "
              "other: compare their "
              "certificates, or project to one of them (CGAL::Bspline_shells::Shell_projection_3).";
@@ -55,12 +55,12 @@ inline const char* message(Flow_status status)
     case Flow_status::LEAVES_SHELL:
       return "The curve through the point leaves the shell without meeting the target: verify the target "
              "(CGAL::Bspline_shells::Shell_certificate_3).";
-    case Flow_status::FACES_WRONG_WAY:
+    case Flow_status::WRONG_ORIENTATION:
       return "The target faces the wrong way where the curve meets it: turn it inside out, or verify it "
              "(CGAL::Bspline_shells::Shell_certificate_3).";
     case Flow_status::GRADIENT_VANISHES:
       return "The curve runs into a critical point of the field: the shell is not certified.";
-    case Flow_status::TOO_MANY_STEPS: return "The tolerance cannot be kept: loosen it.";
+    case Flow_status::TOLERANCE_NOT_MET: return "The tolerance cannot be kept: loosen it.";
     case Flow_status::CANCELED: return "The visitor asked to stop.";
   }
   return "";

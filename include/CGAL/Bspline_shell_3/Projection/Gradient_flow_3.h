@@ -126,7 +126,7 @@ public:
   /// \param tolerance largest distance of the end from the exact one, user units; 0 stands for the default. The
   ///   distance is an estimate: the errors of the steps are followed along the curve to first order. Curves that
   ///   diverge are traced in shorter steps. If the accuracy of `double`s does not suffice, the status is
-  ///   `TOO_MANY_STEPS`.
+  ///   `TOLERANCE_NOT_MET`.
   explicit Gradient_flow_3(const Shell& shell, double tolerance = 0)
     : m_shell(&shell), m_tolerance(tolerance > 0 ? tolerance : default_tolerance(shell))
   {}

@@ -42,7 +42,7 @@ namespace Bspline_shells {
  * If both meshes have a certificate of the certified shell (`Shell_certificate_3`), the map is one-to-one. The map
  * requires no certificate, but compares the components of both meshes:
  * - If the shell is certified and both meshes are closed, or closed by `Bspline_shell_3::closing()`, the map is refused
- *   with `OTHER_COMPONENTS` if a component of the shell holds no part of one of the meshes: no vertex, and no crossing
+ *   with `COMPONENTS_DIFFER` if a component of the shell holds no part of one of the meshes: no vertex, and no crossing
  *   with the paths through the component.
  * - Otherwise, paths through the shell are sought at the largest facets of each component of both meshes. If each
  *   component has a path through it that crosses the other mesh, or is crossed by one through that mesh, the status is
@@ -235,7 +235,7 @@ private:
     return target.traced_facets().is_closed() || has_border_of_closing(target);
   }
 
-  // Returns `OTHER_COMPONENTS` if a component of the shell contains no part of a mesh, `COMPONENTS_UNKNOWN` if all
+  // Returns `COMPONENTS_DIFFER` if a component of the shell contains no part of a mesh, `COMPONENTS_UNKNOWN` if all
   // paths through it are degenerate and no vertex is in it, and otherwise `SUCCESS`.
   // \pre the shell is certified, and `is_closed()` holds
   template <typename Target>
@@ -266,7 +266,7 @@ private:
     const auto found = [&] {
       Flow_status worst = Flow_status::SUCCESS;
       for(std::size_t k = 0; k < is_missed.size(); ++k) {
-        const Flow_status status = match.crossings[k] ? Flow_status::OTHER_COMPONENTS : Flow_status::COMPONENTS_UNKNOWN;
+        const Flow_status status = match.crossings[k] ? Flow_status::COMPONENTS_DIFFER : Flow_status::COMPONENTS_UNKNOWN;
         if(is_missed[k]) worst = (std::max)(worst, status);
       }
       return worst;

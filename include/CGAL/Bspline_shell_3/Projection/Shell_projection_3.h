@@ -54,7 +54,7 @@ struct Projected_point
   double error = 0; ///< distance from the exact image; at most the tolerance
   /// Distance of the point from the exact curve through the image: the error of the way back, across the curve. It
   /// exceeds the tolerance only where curves approach each other so closely that `double`s do not distinguish them.
-  double error_of_way_back = 0;
+  double error_of_inverse = 0;
   /// @}
   /// Whether the image is the nearest point, because the shell does not define an image. Only projections between a
   /// polygon soup and its proxy yield such images (`Soup_projection_3`, `Proxy_projection_3`).
@@ -202,7 +202,7 @@ public:
     image.point = Point_3(x[0], x[1], x[2]);
     image.value = hit.value;
     image.error = hit.error.at_image;
-    image.error_of_way_back = hit.error.at_start;
+    image.error_of_inverse = hit.error.at_start;
     image.is_snapped = hit.is_beyond_border;
     return image;
   }

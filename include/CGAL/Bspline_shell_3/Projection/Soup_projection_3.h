@@ -56,7 +56,7 @@ public:
 
   /// constructs a projection like `Shell_projection_3`, except for the tolerance
   /// \param tolerance tolerance of the steps along a curve. The growth of their errors where curves diverge is not
-  ///   estimated: `Projected_point::error` and `Projected_point::error_of_way_back` are NaN.
+  ///   estimated: `Projected_point::error` and `Projected_point::error_of_inverse` are NaN.
   Soup_projection_3(const Shell& shell, std::shared_ptr<const Target> target, double tolerance = 0)
     : m_shell(&shell), m_target(std::move(target)),
       m_tolerance(tolerance > 0 ? tolerance : Gradient_flow_3<Shell>::default_tolerance(shell))
@@ -93,7 +93,7 @@ public:
     image.location = { m_target->face_of(hit.facet), hit.barycentric };
     image.point = Point_3(x[0], x[1], x[2]);
     image.value = hit.value;
-    image.error = image.error_of_way_back = std::numeric_limits<double>::quiet_NaN();
+    image.error = image.error_of_inverse = std::numeric_limits<double>::quiet_NaN();
     return image;
   }
 

@@ -99,7 +99,7 @@ struct Certificate_witness
     OUTSIDE,        ///< a `point` of `facet` lies outside the field's domain
     CRITICAL_POINT, ///< a critical point in the shell certainly lies within \f$10^{-1}\f$ cells of `point`
     BOX,            ///< the box around `point` in the leaf `cell` is undecided
-    END_OF_DOMAIN,  ///< the cover of the shell reaches the end of the domain in the leaf `cell`
+    BOUNDARY_OF_DOMAIN,  ///< the cover of the shell reaches the end of the domain in the leaf `cell`
     /// `component` and `other_component` of the mesh share a component of the cover; refuted if they certainly share a
     /// component of the shell
     TWO_SHEETS,
@@ -110,7 +110,7 @@ struct Certificate_witness
     NO_PATH,   ///< no segment through `component` with a conclusive count was found; `facet` is one of its large facets
     CROSSINGS, ///< the path through `component` that passes through `facet` at `point` crosses the mesh `count` times
     SHELL_CROSSINGS,   ///< a path through `component` of the shell, near `point`, crosses the mesh `count` times
-    CONTAINMENT_NEEDED ///< the claim was not examined because containment is not proved
+    CONTAINMENT_NOT_PROVED ///< the claim was not examined because containment is not proved
   };
   static constexpr std::size_t none = std::size_t(-1);
 
@@ -137,14 +137,14 @@ inline const char* name(Certificate_witness::Reason reason)
     case Certificate_witness::OUTSIDE: return "outside";
     case Certificate_witness::CRITICAL_POINT: return "critical point";
     case Certificate_witness::BOX: return "box";
-    case Certificate_witness::END_OF_DOMAIN: return "end of domain";
+    case Certificate_witness::BOUNDARY_OF_DOMAIN: return "end of domain";
     case Certificate_witness::TWO_SHEETS: return "two sheets";
     case Certificate_witness::EMPTY_COMPONENT: return "empty component";
     case Certificate_witness::OTHER_COMPONENT: return "other component";
     case Certificate_witness::NO_PATH: return "no path";
     case Certificate_witness::CROSSINGS: return "crossings";
     case Certificate_witness::SHELL_CROSSINGS: return "crossings of the shell";
-    case Certificate_witness::CONTAINMENT_NEEDED: return "containment needed";
+    case Certificate_witness::CONTAINMENT_NOT_PROVED: return "containment needed";
   }
   return "";
 }
@@ -215,7 +215,7 @@ struct Certificate_report
   /// a lower bound of \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved
   double least_gradient = 0;
   /// an upper bound of \f$|\nabla f|\f$ on the cells of the cover; infinite if there is none
-  double greatest_gradient = std::numeric_limits<double>::infinity();
+  double largest_gradient = std::numeric_limits<double>::infinity();
   /// upper bound of the distance between a point and its image on any other certified mesh: the largest length of an
   /// integral curve in the shell, user units. Infinite if the gradient claim is not proved.
   /// `Shell_certificate_3::displacement_bounds()` returns a bound for each facet.

@@ -21,7 +21,7 @@ enum class Refinement_status
 {
   NOT_REFINED,       ///< the cells are equal, as requested, or the shell was read from a file
   CERTIFIED,         ///< all claims are proved, and the shell is as thin as requested
-  NOTHING_TO_REFINE, ///< smaller cells cannot help to prove the remaining claims; the certificate lists the places
+  NO_PROGRESS, ///< smaller cells cannot help to prove the remaining claims; the certificate lists the places
   /// a limit of memory, effort or rounds was reached. All claims may be proved for a shell that is thicker than
   /// requested
   LIMIT_REACHED,
@@ -34,7 +34,7 @@ inline const char* message(Refinement_status status)
   switch(status) {
     case Refinement_status::NOT_REFINED: return "Cells were not refined.";
     case Refinement_status::CERTIFIED: return "All claims are proved, and the shell is as thin as asked.";
-    case Refinement_status::NOTHING_TO_REFINE:
+    case Refinement_status::NO_PROGRESS:
       return "What is not proved cannot be mended by smaller cells: see the witnesses of the certificate.";
     case Refinement_status::LIMIT_REACHED:
       return "A limit of memory, effort or rounds was reached before all claims were proved of a shell as thin as "

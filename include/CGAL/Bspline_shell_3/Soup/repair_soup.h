@@ -30,17 +30,17 @@ struct Soup_repairs
   /// Polygons with a repeated point, such as polygons with holes. They were triangulated, or the repetition was
   /// removed.
   std::size_t split_polygons = 0;
-  std::size_t doubled_polygons = 0;  ///< Polygons with the points of another polygon.
-  std::size_t turned_polygons = 0;   ///< Polygons reversed to agree with their neighbors.
+  std::size_t duplicate_polygons = 0;  ///< Polygons with the points of another polygon.
+  std::size_t reversed_polygons = 0;   ///< Polygons reversed to agree with their neighbors.
   std::size_t degenerate_facets = 0; ///< Facets without area, whose edges were collapsed or flipped.
-  bool turned_components = false;    ///< Whether components were turned inside out to bound a volume.
+  bool reversed_components = false;    ///< Whether components were turned inside out to bound a volume.
 
   /// Returns whether no change was needed.
   bool is_none() const
   {
-    return merged_points + removed_polygons + split_polygons + doubled_polygons + turned_polygons + degenerate_facets
+    return merged_points + removed_polygons + split_polygons + duplicate_polygons + reversed_polygons + degenerate_facets
              == 0
-           && !turned_components;
+           && !reversed_components;
   }
 };
 

@@ -88,12 +88,12 @@ repair_soup(Polygon_soup soup, Surface_mesh<Exact_predicates_inexact_constructio
       if(known.insert(internal::canonical_cycle(part)).second) {
         polygons.push_back(part);
         origin.push_back(n);
-      } else ++repairs.doubled_polygons;
+      } else ++repairs.duplicate_polygons;
   }
   soup.polygons.swap(polygons);
   if(soup.polygons.empty()) return Shell_status::EMPTY_MESH;
 
-  const Shell_status status = internal::orient_soup(soup, offenders, repairs.turned_polygons);
+  const Shell_status status = internal::orient_soup(soup, offenders, repairs.reversed_polygons);
   if(status != Shell_status::SUCCESS) {
     for(std::size_t& f : offenders.facets) f = origin[f];
     for(std::size_t& v : offenders.vertices) v = first[v];

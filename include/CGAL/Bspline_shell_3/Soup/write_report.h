@@ -131,9 +131,9 @@ inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const
     if(result) json("kind", name(result.kind()));
     const Soup_repairs& repairs = result.repairs;
     object("repairs")("merged_points", repairs.merged_points)("removed_polygons", repairs.removed_polygons)(
-      "split_polygons", repairs.split_polygons)("doubled_polygons", repairs.doubled_polygons)("turned_polygons",
-                                                                                              repairs.turned_polygons)(
-      "degenerate_facets", repairs.degenerate_facets)("turned_components", repairs.turned_components);
+      "split_polygons", repairs.split_polygons)("duplicate_polygons", repairs.duplicate_polygons)("reversed_polygons",
+                                                                                              repairs.reversed_polygons)(
+      "degenerate_facets", repairs.degenerate_facets)("reversed_components", repairs.reversed_components);
     if(result.mesh_status != Shell_status::SUCCESS || result.proxy) {
       const Offending_simplices& offenders = result.offending_simplices;
       object("mesh_itself")("message", result.mesh_message())("facets", offenders.facets)(

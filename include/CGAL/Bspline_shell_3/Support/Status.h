@@ -49,7 +49,7 @@ enum class Shell_status
   MEMORY_LIMIT_EXCEEDED,    ///< the cells would need more memory than allowed
   DISTANCE_NOT_FINITE,      ///< the signed-distance oracle returned a value that is infinite or not a number
   SOLVER_FAILED,            ///< the linear solver did not reach its tolerance
-  SHELL_LEAVES_BAND,        ///< a bounding surface runs into the end of the cells
+  SHELL_REACHES_BOUNDARY,        ///< a bounding surface runs into the end of the cells
   MESH_NOT_CONTAINED,       ///< it could not be proved that the shell contains the mesh
   UNSOUND_ARITHMETIC,       ///< nothing can be proved in this build (`Arithmetic_status`)
   THRESHOLDS_ON_OTHER_CELLS, ///< a threshold is not tricubic on the cells of the field
@@ -121,7 +121,7 @@ inline const char* message(Shell_status status)
     case Shell_status::SOLVER_FAILED:
       return "The linear solver did not reach its tolerance: loosen the tolerance, use a direct solver, or raise the "
              "resolution.";
-    case Shell_status::SHELL_LEAVES_BAND:
+    case Shell_status::SHELL_REACHES_BOUNDARY:
       return "A bounding surface runs into the end of the cells: raise the resolution, or the number of rings of cells "
              "around the mesh.";
     case Shell_status::MESH_NOT_CONTAINED:

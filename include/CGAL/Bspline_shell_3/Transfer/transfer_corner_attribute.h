@@ -262,7 +262,7 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
       return;
     }
     if(internal::is_along(normal, d)) {
-      result.status = Flow_status::FACES_WRONG_WAY;
+      result.status = Flow_status::WRONG_ORIENTATION;
       return;
     }
     const Coordinates here = target.point(typename Target::Index(n), at(t)),

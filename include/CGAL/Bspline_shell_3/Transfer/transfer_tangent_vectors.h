@@ -102,7 +102,7 @@ Tangent_sample tangent_sample(const Map& map, const Tangent_field& field, int sy
   if(!differential) return sample;
   const Eigen::Vector3d normal = prepare(differential);
   const auto facet = source.facet_of(image.location.first);
-  if(is_along(normal, differential)) sample.status = Flow_status::FACES_WRONG_WAY;
+  if(is_along(normal, differential)) sample.status = Flow_status::WRONG_ORIENTATION;
   else
     sample.vector = map_symmetric_vector(differential.onto_plane(normal), eigen_vector(source.normal(facet)), normal,
                                          field(facet, image.location.second), symmetry);

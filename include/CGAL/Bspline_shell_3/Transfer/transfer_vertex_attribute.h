@@ -89,7 +89,7 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
   internal::for_each_point<ConcurrencyTag>(
     points.size(), [&](std::size_t n) { return points[n]; }, visitor,
     [&, hint = typename Map::Projection_to_source::Hint()](std::size_t n, const auto& p) mutable {
-      if(map.status() == Flow_status::OTHER_COMPONENTS) images[n].status = map.status();
+      if(map.status() == Flow_status::COMPONENTS_DIFFER) images[n].status = map.status();
       else images[n] = map.to_source()(p, hint); // the target's facets do not matter
       if constexpr(has_mapping)
         if(images[n]) {

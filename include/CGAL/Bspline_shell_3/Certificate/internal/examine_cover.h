@@ -56,13 +56,13 @@ struct Proved_cover
 {
   std::shared_ptr<const std::vector<Cover_box> > boxes; // null if the shell is not certified
   std::size_t components = 0;
-  double least_gradient = 0, greatest_gradient = std::numeric_limits<double>::infinity();
+  double least_gradient = 0, largest_gradient = std::numeric_limits<double>::infinity();
 };
 
 // Returns an upper bound, by differences of coefficients, of the length of the gradient on a leaf cell, per user
 // unit.
 template <typename Field>
-double greatest_gradient(const Field& field, typename Field::Cell_index c)
+double largest_gradient(const Field& field, typename Field::Cell_index c)
 {
   const typename Field::Cell cell = field.cell(c);
   const std::array<Level_range, 3> differences = difference_ranges(cell.coefficients());
@@ -161,8 +161,8 @@ std::vector<typename Shell_cover_3<Field, Threshold>::Shared> examine_cover(
 
   Level_range thresholds;
   const bool is_greatest_known = known && draft.covers == proved.components
-                                 && proved.greatest_gradient < std::numeric_limits<double>::infinity();
-  double greatest = is_greatest_known ? proved.greatest_gradient : 0;
+                                 && proved.largest_gradient < std::numeric_limits<double>::infinity();
+  double greatest = is_greatest_known ? proved.largest_gradient : 0;
   std::uint32_t last_cell = std::uint32_t(-1);
   std::size_t examined = 0;
   for(const Cover_box& box : cover.boxes()) {
@@ -173,7 +173,7 @@ std::vector<typename Shell_cover_3<Field, Threshold>::Shared> examine_cover(
     if(box.cell != last_cell) {
       last_cell = box.cell;
       thresholds.include(threshold_range(shell.inner, shell.outer, box.cell));
-      if(!is_greatest_known) greatest = (std::max)(greatest, greatest_gradient(shell.field, box.cell));
+      if(!is_greatest_known) greatest = (std::max)(greatest, largest_gradient(shell.field, box.cell));
     }
     if(box.kind == Box_kind::MONOTONE) {
       ++draft.statistics.monotone_boxes;
@@ -196,14 +196,14 @@ std::vector<typename Shell_cover_3<Field, Threshold>::Shared> examine_cover(
     draft.conclude(w);
   }
   for(std::size_t b : cover.at_end()) {
-    Certificate_witness w = witness(Claim::GRADIENT, Verdict::UNDECIDED, Certificate_witness::END_OF_DOMAIN);
+    Certificate_witness w = witness(Claim::GRADIENT, Verdict::UNDECIDED, Certificate_witness::BOUNDARY_OF_DOMAIN);
     w.cell = cover.boxes()[b].cell;
     const Bbox_3 box = cover.bbox(cover.boxes()[b]);
     w.point = { (box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2 };
     draft.conclude(w);
   }
   draft.statistics.cover_cells = cover.number_of_cells();
-  draft.greatest_gradient = greatest;
+  draft.largest_gradient = greatest;
   if(draft.verdict(Claim::TRANSVERSALITY) == Verdict::PROVED)
     draft.least_angle = std::asin((std::min)(1., least_slope / greatest)) * (1 - 8 * rounding);
   if(draft.verdict(Claim::GRADIENT) == Verdict::PROVED)

@@ -7,7 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_SHELL_REMESHER_H
 
 #include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
-#include <CGAL/Bspline_shell_3/Editing/Edit_end.h>
+#include <CGAL/Bspline_shell_3/Editing/Edit_termination.h>
 #include <CGAL/Bspline_shell_3/Editing/Remeshing_report.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Frozen_facets.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Remeshing_tuning.h>
@@ -153,15 +153,15 @@ public:
   }
 
   // Returns the reason why edges differ from the target length.
-  Edit_end end() const
+  Edit_termination end() const
   {
     const auto is_about_right = [&](edge_descriptor e) {
       const double length = relative_length(halfedge(e, m_mesh));
       return m_frozen.has_edge(e) || (length >= remeshing_tuning.shortest && length <= remeshing_tuning.longest);
     };
-    if(std::all_of(edges(m_mesh).begin(), edges(m_mesh).end(), is_about_right)) return Edit_end::TARGET;
-    if(!m_goes_on) return Edit_end::VISITOR;
-    return m_has_rejected ? Edit_end::SHELL : Edit_end::ITERATIONS;
+    if(std::all_of(edges(m_mesh).begin(), edges(m_mesh).end(), is_about_right)) return Edit_termination::TARGET;
+    if(!m_goes_on) return Edit_termination::VISITOR;
+    return m_has_rejected ? Edit_termination::SHELL : Edit_termination::ITERATIONS;
   }
 
   void flip_to_regular_valences()

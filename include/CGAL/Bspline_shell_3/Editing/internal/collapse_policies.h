@@ -8,7 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
 #include <CGAL/Bspline_shell_3/Editing/Collapse_visitor.h>
-#include <CGAL/Bspline_shell_3/Editing/Edit_end.h>
+#include <CGAL/Bspline_shell_3/Editing/Edit_termination.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/move_to_level.h>
 #include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
@@ -39,7 +39,7 @@ struct Collapse_state
   bool is_accepted = false;
   bool has_stopped = false;
   bool has_deferred = false;          // whether a placement was too expensive
-  Edit_end obstacle = Edit_end::MESH; // reason why the selected edge has no placement
+  Edit_termination obstacle = Edit_termination::MESH; // reason why the selected edge has no placement
   double cost = 0;                    // cost of the selected edge
   double largest_cost = 0;            // largest cost of a collapsed edge
   double allowance = 1;               // factor by which other placements may cost more than the policy's
@@ -64,18 +64,18 @@ class Selecting_visitor : public Collapse_visitor<TriangleMesh, Visitor>
 public:
   Selecting_visitor(Visitor& visitor, TriangleMesh& mesh, Rules& rules, Collapse_state& state)
     : Base(visitor), m_mesh(&mesh), m_rules(&rules), m_state(&state),
-      m_obstacle(get(dynamic_edge_property_t<Edit_end>(), mesh))
+      m_obstacle(get(dynamic_edge_property_t<Edit_termination>(), mesh))
   {}
 
   // Returns the reason why none of the remaining edges was collapsed. The shell takes precedence over the filter.
-  Edit_end end() const
+  Edit_termination end() const
   {
-    if(m_state->has_stopped) return Edit_end::STOP_PREDICATE;
-    Edit_end end = Edit_end::MESH;
+    if(m_state->has_stopped) return Edit_termination::STOP_PREDICATE;
+    Edit_termination end = Edit_termination::MESH;
     for(auto e : edges(*m_mesh)) {
-      const Edit_end obstacle = get(m_obstacle, e);
-      if(obstacle == Edit_end::SHELL) return obstacle;
-      if(obstacle == Edit_end::FILTER) end = obstacle;
+      const Edit_termination obstacle = get(m_obstacle, e);
+      if(obstacle == Edit_termination::SHELL) return obstacle;
+      if(obstacle == Edit_termination::FILTER) end = obstacle;
     }
     return end;
   }
@@ -93,7 +93,7 @@ public:
   {
     Base::OnSelected(profile, cost, m_state->initial_edges, m_state->edges_without_closing(current));
     m_state->is_waiting = true;
-    m_state->obstacle = Edit_end::MESH; // unless a placement is rejected
+    m_state->obstacle = Edit_termination::MESH; // unless a placement is rejected
     m_state->cost = cost ? rounded(*cost) : 0;
   }
   template <typename Profile, typename OptionalPoint>
@@ -122,7 +122,7 @@ private:
   Rules* m_rules;
   Collapse_state* m_state;
   // reason why an edge was rejected the last time
-  typename boost::property_map<TriangleMesh, dynamic_edge_property_t<Edit_end> >::type m_obstacle;
+  typename boost::property_map<TriangleMesh, dynamic_edge_property_t<Edit_termination> >::type m_obstacle;
 };
 
 // The caller's predicate, over several runs.
@@ -237,7 +237,7 @@ public:
     constexpr Placement_verdict filter = Placement_verdict::BASE_FILTER;
     const std::size_t by_filter = now.number(filter) - before.number(filter);
     const std::size_t rejected = now.rejected() - before.rejected();
-    if(rejected > 0) m_state->obstacle = rejected > by_filter ? Edit_end::SHELL : Edit_end::FILTER;
+    if(rejected > 0) m_state->obstacle = rejected > by_filter ? Edit_termination::SHELL : Edit_termination::FILTER;
     return placement;
   }
 

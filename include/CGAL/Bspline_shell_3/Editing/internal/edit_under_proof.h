@@ -9,7 +9,7 @@
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
 #include <CGAL/Bspline_shell_3/Editing/Edit_report.h>
-#include <CGAL/Bspline_shell_3/Editing/Edit_end.h>
+#include <CGAL/Bspline_shell_3/Editing/Edit_termination.h>
 #include <CGAL/Bspline_shell_3/Editing/Edit_status.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Closed_for_edit.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Frozen_facets.h>
@@ -102,7 +102,7 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     before.restore(mesh);
     result.facets = result.facets_before;
     result.constrained_edges = 0;
-    result.end = Edit_end::NOT_EDITED;
+    result.end = Edit_termination::NOT_EDITED;
     result.images.clear();
     result.frozen_facets.clear();
     return status;
@@ -166,7 +166,7 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
         else locate<ConcurrencyTag>(shell, before.points(), mesh, vpm, result);
         lap(result.location_seconds);
       }
-    return certified ? Edit_status::SUCCESS : Edit_status::EDITED_EXCEPT_FROZEN;
+    return certified ? Edit_status::SUCCESS : Edit_status::PARTIALLY_EDITED;
   } catch(const Run::Ended&) {
     return undone(Edit_status::TIME_LIMIT_EXCEEDED);
   } catch(...) { // thrown by a function of the caller, or memory is exhausted

@@ -81,7 +81,7 @@ struct Image_error
 };
 
 // Traces a curve, and traces it again in shorter steps while an estimated error exceeds the tolerance. If the error at
-// the image finally exceeds it, the status is `TOO_MANY_STEPS`. The error at the start exceeds it where curves approach
+// the image finally exceeds it, the status is `TOLERANCE_NOT_MET`. The error at the start exceeds it where curves approach
 // each other so closely that `double`s do not distinguish them at the image. `trace(step_tolerance, result)` returns a
 // status; the result has a member `error`.
 template <typename Result, typename Trace>
@@ -99,7 +99,7 @@ Flow_status keep_tolerance(double tolerance, Result& result, const Trace& trace)
     if(trace(step_tolerance, closer) != Flow_status::SUCCESS) break;
     result = closer;
   }
-  return result.error.at_image <= tolerance ? Flow_status::SUCCESS : Flow_status::TOO_MANY_STEPS;
+  return result.error.at_image <= tolerance ? Flow_status::SUCCESS : Flow_status::TOLERANCE_NOT_MET;
 }
 
 } // namespace internal

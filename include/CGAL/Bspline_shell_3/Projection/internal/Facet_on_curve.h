@@ -194,9 +194,9 @@ private:
       const bool is_inside = best.outside <= 0;
       if(settle(curve, best)) return Flow_status::SUCCESS;
       // The image exists, but is not found with the required accuracy.
-      if(is_inside) return Flow_status::TOO_MANY_STEPS;
+      if(is_inside) return Flow_status::TOLERANCE_NOT_MET;
     }
-    return wrong_way ? Flow_status::FACES_WRONG_WAY : failure;
+    return wrong_way ? Flow_status::WRONG_ORIENTATION : failure;
   }
 
   void look_at_step(const Curve& curve, Hit& best, bool& wrong_way) const

@@ -266,7 +266,7 @@ private:
 
   Flow_status step_in_cell(double goal)
   {
-    if(++m_steps > curve_tuning.max_steps) return Flow_status::TOO_MANY_STEPS;
+    if(++m_steps > curve_tuning.max_steps) return Flow_status::TOLERANCE_NOT_MET;
     if(m_next_cell != Field::npos) enter_next_cell();
     begin_step();
     const double longest = m_velocity.cell.width() / speed();
@@ -297,7 +297,7 @@ private:
         const auto range = m_velocity.cell.coefficient_range();
         return m_velocity.cell.width() < curve_tuning.small_gradient * (range.second - range.first) * speed()
                  ? Flow_status::GRADIENT_VANISHES
-                 : Flow_status::TOO_MANY_STEPS;
+                 : Flow_status::TOLERANCE_NOT_MET;
       }
     }
     m_end_s = ds == goal - m_begin_s ? goal : m_begin_s + ds;
