@@ -15,9 +15,9 @@ install_packages "${BUILD_PACKAGES[@]}" python3
 build=build/benchmark programs=(reference_computation certify_meshes simplify_benchmark remesh_benchmark projection_benchmark)
 launcher=()
 command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-echo "Building (five minutes, the first time) ..."
+echo "Building (about five minutes the first time) ..."
 mkdir -p "$build"
 { cmake -S . -B "$build" -G Ninja -Wno-dev "${launcher[@]}" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF -DBSPLINE_SHELL_3_BENCHMARKS=ON &&
   cmake --build "$build" --target "${programs[@]}"; } >"$build/build.log" 2>&1 ||
-  { tail -n 30 "$build/build.log"; echo "The build failed; see $build/build.log"; exit 2; }
+  { tail -n 30 "$build/build.log"; echo "The build failed: see $build/build.log."; exit 2; }
 PYTHONDONTWRITEBYTECODE=1 python3 benchmark/Bspline_shell_3/Regressions/compare_figures.py "$build" "$@"

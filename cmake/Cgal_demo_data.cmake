@@ -10,7 +10,7 @@ if(NOT EXISTS ${BSPLINE_SHELL_3_MESHES}/elephant.off)
     file(RENAME ${CMAKE_BINARY_DIR}/data.part/data ${CMAKE_BINARY_DIR}/data)
     file(REMOVE_RECURSE ${CMAKE_BINARY_DIR}/data.part)
   else()
-    message(WARNING "There are no meshes for examples and tests, as ${CGAL_DEMO_DATA} is missing: install libcgal-demo, "
-                    "or set CGAL_DEMO_DATA. (A system that installs no documentation leaves it out.)")
+    message(WARNING "The meshes of the examples and tests are missing, as ${CGAL_DEMO_DATA} does not exist: install "
+                    "libcgal-demo, or set CGAL_DEMO_DATA. (A system without documentation does not install this file.)")
   endif()
 endif()

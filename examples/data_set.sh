@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# Makes shell, simplified mesh, round trip and picture of each mesh of a data set, a table and web pages (Debian 12):
+# Builds a shell of each mesh of a data set, simplifies the mesh in it, measures the round trip, and draws a picture;
+# then writes a table and web pages (Debian 12):
 #   bash examples/data_set.sh FOLDER|LIST [OPTION=VALUE...] [SNAKEMAKE OPTION...]
-# Installs missing packages, builds, runs on all processors, and prints the path of the result:
-# results/data_set/index.html.
-# Meshes are OFF, OBJ, PLY or STL; LIST is a file with one mesh per line. OPTION: results (a folder), facets, time_limit
-# (seconds), memory_limit (megabytes), pictures, keep, batch; see examples/Bspline_shell_3/data_set/data_set.py.
+# Installs missing packages, builds the program, processes the meshes on all processors, and prints the path of the
+# result: results/data_set/index.html. Meshes are OFF, OBJ, PLY, or STL files; LIST is a file with one mesh per line.
+# OPTION: results (a folder), facets, time_limit (seconds), memory_limit (megabytes), pictures, keep, batch; see
+# examples/Bspline_shell_3/data_set/data_set.py.
 # Complete results are not computed again, so an interrupted run can be resumed. If a mesh has no result, the reason is
 # recorded, other meshes are not affected, and the exit code is still 0.
-# On a cluster: --profile slurm. On some processors: --cores N.
+# For a cluster: --profile slurm. To use fewer processors: --cores N.
 set -euo pipefail
 [ $# -ge 1 ] && [ -r "$1" ] || { echo "Usage: bash examples/data_set.sh FOLDER|LIST [OPTION=VALUE...] [SNAKEMAKE OPTION...]" >&2; exit 2; }
 meshes=$(realpath -- "$1") from=$PWD
@@ -34,15 +35,15 @@ install_packages "${BUILD_PACKAGES[@]}" python3 python3-matplotlib python3-pil p
 
 launcher=()
 command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-echo "Building (a minute or two, the first time) ..."
+echo "Building (one to two minutes the first time) ..."
 mkdir -p "$build"
 { cmake -S . -B "$build" -G Ninja -Wno-dev "${launcher[@]}" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF &&
   cmake --build "$build" --target simplify_and_transfer; } >"$build/build.log" 2>&1 ||
-  { tail -n 30 "$build/build.log"; echo "The build failed; see $build/build.log"; exit 1; }
+  { tail -n 30 "$build/build.log"; echo "The build failed: see $build/build.log."; exit 1; }
 
 snakemake --snakefile "$here/Snakefile" --scheduler greedy --rerun-incomplete --keep-going "${cores[@]}" "${options[@]}" \
           --directory "$results" --config meshes="$meshes" "${config[@]}" || {
-  echo "Not everything was made. What is complete is kept; run it again to go on." >&2
+  echo "Some results are missing. Complete results are kept: run the command again to continue." >&2
   exit 1
 }
 echo "$results/index.html"

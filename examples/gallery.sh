@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Reproduces figures of the paper on CGAL's meshes, and writes a page with them: results/gallery/index.html (Debian 12).
+# Generates figures like those of the paper on other meshes, and a page: results/gallery/index.html (Debian 12).
 #   bash examples/gallery.sh [--again] [FIGURE...]
 # FIGURE: shells, gamma, gamma_impact, mu, simplification, geodesics, elasticity, booleans, fields, closest_point,
-# self_intersections; by default, all of them.
-# Installs missing packages and builds the programs. Complete figures are not computed again without --again, so an
+# self_intersections; default: all.
+# Installs missing packages and builds the programs. Complete figures are generated again only with --again, so an
 # interrupted run can be resumed.
-# If a figure fails, the page shows the reason, the other figures are computed, and the exit code is 1. If the usage is
-# wrong, it is 2.
+# If a figure fails, the page shows the reason, the other figures are generated, and the exit code is 1. After wrong
+# usage, it is 2.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . cmake/install_packages.sh
@@ -17,19 +17,19 @@ export PYTHONDONTWRITEBYTECODE=1
 gallery() { /usr/bin/python3 "$here/gallery.py" "$@"; }
 mkdir -p results/gallery
 exec 9>results/gallery/.lock
-flock -n 9 || { echo "Figures are being made by another run." >&2; exit 2; }
+flock -n 9 || { echo "Another run is making figures: wait until it has ended." >&2; exit 2; }
 pending=$(gallery pending "$@") || exit 2
 if [ -n "$pending" ]; then
   mapfile -t figures <<<"$pending"
   mapfile -t programs < <(gallery programs "${figures[@]}")
   launcher=()
   command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-  echo "Building ${programs[*]} (five minutes, the first time) ..."
+  echo "Building ${programs[*]} (about five minutes the first time) ..."
   mkdir -p "$build"
   # If a program cannot be built, the others are still built.
   { cmake -S "$here" -B "$build" -G Ninja -Wno-dev "${launcher[@]}" -DCMAKE_BUILD_TYPE=Release &&
     cmake --build "$build" --target "${programs[@]}" -- -k 0; } >"$build/build.log" 2>&1 ||
-    { tail -n 10 "$build/build.log"; echo "Not all could be built; see $build/build.log"; }
+    { tail -n 10 "$build/build.log"; echo "Some programs could not be built: see $build/build.log."; }
 else
   figures=()
 fi

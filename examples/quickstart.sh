@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Simplifies a mesh in its shell, transfers its attributes, and draws a picture (Debian 12):
+# Simplifies a mesh in its shell, transfers test colors and distances to the result, and draws a picture (Debian 12):
 #   bash examples/quickstart.sh [MESH] [FACETS]
-# Installs missing packages, builds, runs, and lists the results. MESH is OFF, OBJ, PLY or STL; it may be open, or not a
-# surface. By default, it is the elephant of the Debian package libcgal-demo. FACETS is the target number; by default,
-# as few as the shell allows.
+# Installs missing packages, builds and runs the program, and lists the results. MESH is an OFF, OBJ, PLY, or STL file;
+# it may be open, or a polygon soup, and its attributes are not read. Default: the elephant of the Debian package
+# libcgal-demo. FACETS is the target number of facets; default: as few as the shell allows.
 # The exit code is that of simplify_and_transfer; see its usage. If a run fails, results of an earlier run are kept.
 set -euo pipefail
 mesh=${1-} options=()
 if [ -n "$mesh" ]; then
-  [[ -f $mesh && -r $mesh ]] || { echo "$mesh is not a file that can be read." >&2; exit 2; }
+  [[ -f $mesh && -r $mesh ]] || { echo "$mesh cannot be read: check its path and permissions." >&2; exit 2; }
   mesh=$(realpath -- "$mesh")
 fi
 if [ $# -ge 2 ]; then
@@ -22,16 +22,16 @@ install_packages "${BUILD_PACKAGES[@]}" python3 python3-vtk9 xvfb xauth
 build=build/quickstart
 launcher=()
 command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-echo "Building (a minute or two, the first time) ..."
+echo "Building (one to two minutes the first time) ..."
 mkdir -p "$build"
 { cmake -S . -B "$build" -G Ninja -Wno-dev "${launcher[@]}" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF &&
   cmake --build "$build" --target simplify_and_transfer; } >"$build/build.log" 2>&1 ||
-  { tail -n 30 "$build/build.log"; echo "The build failed; see $build/build.log"; exit 1; }
+  { tail -n 30 "$build/build.log"; echo "The build failed: see $build/build.log."; exit 1; }
 
 if [ -z "$mesh" ]; then
   mesh=$build/data/meshes/elephant.off
   [ -f "$mesh" ] || {
-    echo "There is no $mesh: data.tar.gz of libcgal-demo is missing or broken; see $build/build.log, or give a mesh." >&2
+    echo "$mesh does not exist, as data.tar.gz of libcgal-demo is missing or broken: see $build/build.log, or pass a mesh." >&2
     exit 1
   }
 fi
@@ -49,28 +49,28 @@ draw() {      # PREFIX
 if [[ $status != 0 && $status != 4 && $status != 7 ]]; then
   for prefix in "results/$name.failed" "results/$name"; do
     if [ "${prefix}_places.ply" -nt "$begin" ]; then
-      echo "${prefix}_places.ply has the places where the proof fails, in ${prefix}_mesh.ply."
-      if draw "$prefix"; then echo "$prefix.png shows them."; fi
+      echo "${prefix}_places.ply contains the points where the proof fails; the mesh is ${prefix}_mesh.ply."
+      if draw "$prefix"; then echo "$prefix.png shows both."; fi
     fi
   done
   exit "$status"
 fi
 if draw "results/$name"; then
   picture="
-  results/$name.png              before and after, and a cut: inner surface blue, meshes black and green, outer surface red"
+  results/$name.png              the mesh before and after, and a cross section of both meshes and the shell"
 else
   picture="
-  (no picture: see $build/render.log)"
+  (The picture could not be drawn: see $build/render.log.)"
   rm -f "results/$name.png"       # a picture of an earlier run
 fi
 cat <<END
 Results:
-  results/${name}.json             what was done with the file, and why
-  results/${name}_simplified.json  how far it is simplified, and how far points arrive from where they started, there and back
-  results/${name}_mesh.ply         the mesh, or a proxy of what is none, with colors and a distance at its vertices
-  results/${name}_simplified.ply   the simplified mesh, with what was carried over
-  results/${name}_detail.ply       the same surface in small triangles, with the color at every vertex
-  results/${name}_inner.ply        inner bounding surface of the shell
-  results/${name}_outer.ply        outer bounding surface$picture
+  results/${name}.json             report on the repairs of the file, the shell, and the reason for a proxy
+  results/${name}_simplified.json  numbers of facets, and the largest error of a round trip between the meshes
+  results/${name}_mesh.ply         the mesh, or a proxy of the polygons, with test colors and distances from a vertex
+  results/${name}_simplified.ply   the simplified mesh, with the transferred colors and distances
+  results/${name}_detail.ply       the simplified mesh, subdivided to show the transferred color of every point
+  results/${name}_inner.ply        the inner surface of the shell
+  results/${name}_outer.ply        the outer surface of the shell$picture
 END
 exit "$status"

@@ -1,4 +1,5 @@
-// Nonlinear elasticity on tetrahedra: equilibria of a compressible Neo-Hookean solid, some of whose nodes are moved.
+// Nonlinear elasticity on tetrahedra: equilibria of a compressible Neo-Hookean solid, with prescribed displacements at
+// some nodes.
 //
 // The energy density is W(F) = mu/2 (tr(F^T F) - 3) - mu ln J + lambda/2 (ln J)^2, with the deformation gradient F and
 // J = det F. Elements are linear with one quadrature point, or quadratic with straight sides (10 nodes) and four
@@ -52,13 +53,13 @@ inline const char* message(Solid_status status)
 {
   switch(status) {
     case Solid_status::SUCCESS: return "All forces are in equilibrium.";
-    case Solid_status::INVALID_MESH: return "A tetrahedron has no positive volume, or a corner that is no point.";
-    case Solid_status::INVERTED_STATE: return "A tetrahedron is inverted in the state to start from.";
-    case Solid_status::NOT_HELD: return "The Hessian cannot be factored; are enough nodes held?";
+    case Solid_status::INVALID_MESH: return "A tetrahedron has no positive volume, or a corner that does not exist.";
+    case Solid_status::INVERTED_STATE: return "A tetrahedron is inverted in the initial state.";
+    case Solid_status::NOT_HELD: return "The Hessian cannot be factored: hold more nodes.";
     case Solid_status::MOVES_TOO_FAR:
-      return "Nodes are moved farther than the smallest load step can follow without inverting a tetrahedron.";
-    case Solid_status::NO_DECREASE: return "The line search found no smaller energy.";
-    case Solid_status::ITERATION_LIMIT_EXCEEDED: return "Newton's method did not converge in the iterations allowed.";
+      return "The nodes move too far: even the smallest load step would invert a tetrahedron.";
+    case Solid_status::NO_DECREASE: return "The line search did not decrease the energy.";
+    case Solid_status::ITERATION_LIMIT_EXCEEDED: return "Newton's method did not converge within the iteration limit.";
   }
   return "";
 }
@@ -78,12 +79,12 @@ public:
   struct Condition
   {
     std::size_t node;
-    std::array<bool, 3> is_held = { true, true, true }; // coordinates that follow the motion
+    std::array<bool, 3> is_held = { true, true, true }; // coordinates with prescribed displacements
   };
 
   struct Options
   {
-    unsigned int load_steps = 1;  // initial number; a failed step is halved, down to 1/1024 of its size
+    unsigned int load_steps = 1;  // initial number; failed steps are halved, down to 1/1024 of the initial size
     unsigned int iterations = 50; // per load step
     double tolerance = 1e-10;     // bounds the norm of the forces, in units of force_unit()
     Vectors start;                // initial displacements; zero if empty
@@ -94,9 +95,9 @@ public:
     Solid_status status = Solid_status::SUCCESS;
     Vectors displacements; // the last equilibrium
     double load = 0;       // 1 is the full load
-    // projections: number of Hessians that were made positive definite
+    // projections: number of Hessians that were modified to be positive definite
     unsigned int iterations = 0, load_steps = 0, projections = 0;
-    double energy = 0, least_jacobian = 0; // the least J is that at quadrature points
+    double energy = 0, least_jacobian = 0; // least_jacobian: smallest J at a quadrature point
     std::vector<double> residuals;         // norms of the forces, in the order of the iterations
 
     explicit operator bool() const { return status == Solid_status::SUCCESS; }
@@ -107,7 +108,7 @@ public:
     double energy = 0, rounding = 0, least_jacobian = std::numeric_limits<double>::infinity();
   };
 
-  // Nodes are the points, in their order; for quadratic elements, midpoints of edges follow.
+  // The nodes are the points, in their order; for quadratic elements, the midpoints of edges follow.
   Neo_hookean_solid(const std::vector<Vector>& points, const std::vector<std::array<std::size_t, 4> >& tetrahedra,
                     Element_order order, const Lame_parameters& material)
     : m_nodes(points), m_order(order), m_material(material)
@@ -171,8 +172,8 @@ public:
     return sum;
   }
 
-  // Returns the energy, an estimate of its rounding error, and the least J. If the least J is not positive, the energy
-  // is infinite.
+  // Returns the energy, an estimate of its rounding error, and the smallest J. If the smallest J is not positive, the
+  // energy is infinite.
   State state(const Vectors& u) const
   {
     State s;
@@ -187,7 +188,7 @@ public:
               * (m_material.mu * ((F.squaredNorm() + 3) / 2 + std::abs(log_J)) + m_material.lambda / 2 * log_J * log_J);
     });
     if(!(s.least_jacobian > 0)) s.energy = std::numeric_limits<double>::infinity();
-    // Rounding errors of n terms add up like a random walk.
+    // an estimate: rounding errors of n terms are assumed to add up like a random walk
     s.rounding = std::sqrt(double(m_elements.size() * points_per_element())) * std::numeric_limits<double>::epsilon()
                  * size;
     return s;
@@ -216,7 +217,8 @@ public:
     return H.template selfadjointView<Eigen::Lower>();
   }
 
-  // Newton's method in load steps. Coordinates with a condition follow the motion; all others reach equilibrium.
+  // Solves by Newton's method in load steps. Coordinates with a condition follow the motion; all others reach
+  // equilibrium.
   Result solve(const std::vector<Condition>& conditions, const Motion& motion, const Options& options = Options()) const
   {
     Result result;

@@ -1,5 +1,5 @@
-// The load case of elastic_proxy.cpp: facets at one end of the mesh's longest side are held. Those at the other end are
-// moved as if the mesh were bent to an arc.
+// The load case of elastic_proxy.cpp: facets at one end of the longest axis of the mesh are held. Facets at the other
+// end are moved as if the mesh were bent to a circular arc.
 #ifndef BEND_ENDS_H
 #define BEND_ENDS_H
 
@@ -40,7 +40,7 @@ public:
       m_low[i] = (box.min)(i);
       m_high[i] = (box.max)(i);
     }
-    // The mesh is bent from its longest side towards its shortest one.
+    // The longest axis is bent toward the shortest one.
     const Eigen::Vector3d size = m_high - m_low;
     size.maxCoeff(&m_along);
     m_towards = (m_along + 1) % 3;
@@ -49,7 +49,7 @@ public:
 
   double length() const { return m_high[m_along] - m_low[m_along]; }
 
-  // Labels facets whose centroids are within `part` of the box at its ends as End::HELD or End::MOVED.
+  // Labels facets at the ends of the longest axis, up to the fraction `part` of its length, as End::HELD or End::MOVED.
   template <typename Mesh, typename LabelMap>
   void label_ends(const Mesh& mesh, LabelMap labels, double part = 0.05) const
   {
@@ -61,7 +61,7 @@ public:
     }
   }
 
-  // Returns the position of a point of the moved end at the load t: at the end of an arc as long as the box.
+  // Returns the position of a point of the moved end at the load t: the end of an arc as long as the bounding box.
   Eigen::Vector3d operator()(const Eigen::Vector3d& p, double t) const
   {
     const double angle = t * m_angle;
@@ -89,8 +89,8 @@ std::array<std::size_t, 3> corners(const Mesh& mesh, typename Mesh::Face_index f
   return { std::size_t(mesh.source(h)), std::size_t(mesh.target(h)), std::size_t(mesh.target(mesh.next(h))) };
 }
 
-// Solves for the tetrahedra that fill a mesh; conditions are set at labeled facets. The first nodes are the mesh's
-// vertices, in their order.
+// Solves the problem on tetrahedra that fill a mesh, with conditions at labeled facets. The first nodes must be the
+// vertices of the mesh, in their order.
 template <typename Solid, typename Mesh, typename LabelMap>
 typename Solid::Result bend(const Solid& solid, const Mesh& mesh, LabelMap labels, const Bend& motion,
                             unsigned int load_steps)

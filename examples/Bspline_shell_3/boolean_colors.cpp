@@ -1,6 +1,6 @@
-// Computes the union, intersection or difference of two solids, and simplifies it in its shell. Each facet has the
-// color of the solid that it comes from, before and after. Edges of the intersection curve are collapsed along the
-// curve. The curve moves by at most 1/1000 of the box, and still separates the colors.
+// Computes the union, intersection, or difference of two solids, and simplifies it in its shell. Each facet keeps the
+// color of its solid. Edges of the intersection curve are collapsed along the curve. The curve moves by at most 1/1000
+// of the longest side of the bounding box, and still separates the colors.
 #include "curve_filter.h"
 #include "example_files.h"
 #include "operand_labels.h"
@@ -31,19 +31,17 @@ bool write(const char* name, Mesh& mesh)
 int main(int argc, char** argv)
 {
   std::string first_file, second_file, name;
-  const auto code = Arguments("Usage: boolean_colors MESH [MESH, default: the first one, turned and moved] "
-                              "[union | intersection | difference]\n")
-                      .required(first_file)
-                      .optional(second_file)
-                      .optional(name)
-                      .read(argc, argv);
-  if(code) return *code;
+  const Arguments arguments = Arguments(
+                                "Usage: boolean_colors MESH [SECOND_MESH] [union | intersection | difference]\n"
+                                "  SECOND_MESH: the second operand (default: MESH, rotated and translated)\n"
+                                "  Writes boolean.ply and boolean_colors.ply. The default operation is union.\n")
+                                .required(first_file)
+                                .optional(second_file)
+                                .optional(name);
+  if(const auto code = arguments.read(argc, argv)) return *code;
   if(name.empty() && operation_of(second_file)) name.swap(second_file);
   const auto known = operation_of(name);
-  if(!name.empty() && !known) {
-    std::cerr << "There is no operation " << name << "." << std::endl;
-    return Arguments::wrong_usage;
-  }
+  if(!name.empty() && !known) return *arguments.wrong("There is no operation " + name + ".");
   const Boolean operation = known.value_or(Boolean::UNION);
   Mesh first, second;
   if(!read_mesh(first_file, first) || (!second_file.empty() && !read_mesh(second_file, second))) return EXIT_FAILURE;
@@ -52,14 +50,15 @@ int main(int argc, char** argv)
     place(second, first);
   }
   if(!is_operand(first) || !is_operand(second)) {
-    std::cerr << "A mesh is not closed, intersects itself, or is turned inside out." << std::endl;
+    std::cerr << "An operand is not a closed triangle mesh, intersects itself, or does not bound a volume: repair it."
+              << std::endl;
     return EXIT_FAILURE;
   }
   set_labels(first, 0);
   set_labels(second, 1);
   Mesh mesh;
   if(!compute(operation, first, second, mesh)) {
-    std::cerr << "The result is no manifold." << std::endl;
+    std::cerr << "The result is not a manifold: move one of the operands slightly." << std::endl;
     return EXIT_FAILURE;
   }
   const Labels labels = labels_of(mesh);
@@ -77,15 +76,16 @@ int main(int argc, char** argv)
     coarse, shell,
     BS::parameters::edge_is_constrained_map(coarse_curve).protect_constraints(false).filter(std::cref(near_curve)));
   if(!result) {
-    std::cerr << BS::message(result.status) << std::endl;
+    std::cerr << result.message() << std::endl;
     return EXIT_FAILURE;
   }
   coarse.collect_garbage();
-  std::cout << result.facets_before << " facets before, " << result.facets
-            << " now; edges of the curve: " << curve_edges << " before, " << result.constrained_edges << " now\n";
+  std::cout << "facets: " << result.facets_before << " before, " << result.facets
+            << " after; edges of the intersection curve: " << curve_edges << " before, " << result.constrained_edges
+            << " after\n";
 
-  // Facets of the simplified mesh keep their labels, except new facets at truncated tips. These get the label of most
-  // of their image along the integral curves.
+  // Facets of the simplified mesh keep their labels, except new facets at truncated tips. These get the most frequent
+  // label of their image along the integral curves.
   const Labels coarse_labels = labels_of(coarse);
   const Labels carried = coarse.add_property_map<Mesh::Face_index, int>("f:carried", -1).first;
   const BS::Transfer_report report = BS::transfer_face_labels(BS::Shell_map_3<Shell, Mesh>(shell, mesh, coarse), labels,
@@ -99,6 +99,6 @@ int main(int argc, char** argv)
     if(coarse_labels[f] < 0) coarse_labels[f] = carried[f];
     others += coarse_labels[f] != carried[f] ? 1 : 0;
   }
-  std::cout << others << " facets have most of their image on the other solid\n";
+  std::cout << "facets with most of their image on the other solid: " << others << "\n";
   return write("boolean.ply", mesh) && write("boolean_colors.ply", coarse) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,4 +1,4 @@
-// Small generated models that are not surfaces.
+// Small generated polygon soups.
 #ifndef BROKEN_MODELS_H
 #define BROKEN_MODELS_H
 
@@ -58,7 +58,7 @@ inline void add_ball(Broken_model& model, std::size_t part, const Center& c, dou
     }
 }
 
-// Adds a box of six facets with separate points, each facet too small by `gap`. Every second facet faces inwards.
+// Adds a box of six facets with separate points, each facet too small by `gap`. Every second facet faces inward.
 inline void add_box_with_gaps(Broken_model& model, std::size_t part, const Center& low, const Center& high, double gap)
 {
   for(int axis = 0; axis < 3; ++axis)
@@ -85,7 +85,7 @@ inline Broken_model two_balls()
   return model;
 }
 
-// A figure as in games: intersecting parts, and textures with seams.
+// A figure of intersecting parts with texture seams, as in games.
 inline Broken_model figure()
 {
   Broken_model model;
@@ -99,7 +99,7 @@ inline Broken_model figure()
   return model;
 }
 
-// A machine part as written by a file converter: with gaps, inconsistent orientations, and doubled facets.
+// A machine part as written by a file converter: with gaps, inconsistent orientations, and duplicate facets.
 inline Broken_model machine_part()
 {
   Broken_model model;

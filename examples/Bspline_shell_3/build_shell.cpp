@@ -1,5 +1,5 @@
-// Builds the shell of a mesh on equal cells, as in the paper, and prints a table. Writes the two bounding surfaces, and
-// the mesh with f and a color at its vertices; render_shell.py draws them. The usage below lists the exit codes.
+// Builds the shell of a closed mesh on equal cells, and prints its properties. Writes the two bounding surfaces, and
+// the mesh with f and colors at its vertices; render_shell.py draws them. The usage below lists the exit codes.
 #include "example_output.h"
 
 #include <CGAL/bspline_shell_3.h>
@@ -16,13 +16,20 @@
 
 const char* const usage =
   "Usage: build_shell MESH [--resolution CELLS] [--paper] [--output PREFIX]\n"
-  "  CELLS cells along the longest side of the mesh's box (80); --paper: all cells of the box and all\n"
-  "  terms of the paper's energy. Writes PREFIX_{inner,outer,mesh}.ply; PREFIX is shell if not given.\n"
-  "  Results of an earlier run are replaced at the end, and stay if the run fails.\n"
-  "  Exit codes: 0 done; 2 wrong usage; 3 a file cannot be written; 4 a bounding surface cannot be extracted,\n"
-  "  the other files are written; 10 + the status (Status.h) if the mesh is refused or the shell fails.\n";
+  "Builds the shell of a mesh on equal cells.\n"
+  "  --resolution CELLS    cells along the longest side of the bounding box (default 80)\n"
+  "  --paper               use all cells of the bounding box, and all terms of the paper's energy\n"
+  "  --output PREFIX       prefix of the file names (default: shell)\n"
+  "Writes the bounding surfaces PREFIX_{inner,outer}.ply, and PREFIX_mesh.ply with the values of f. The files are\n"
+  "replaced together at the end. If the run fails, the results of an earlier run are kept.\n"
+  "Exit codes\n"
+  "  0   success\n"
+  "  2   wrong usage\n"
+  "  3   a file cannot be written\n"
+  "  4   a bounding surface cannot be extracted; the other files are written\n"
+  "  10 or more    there is no shell: 10 + the number of the status (Shell_status)\n";
 
-// Returns blue for negative values, white for zero, red for positive ones. The level farther from zero has the full
+// Maps negative values to blue, zero to white, and positive values to red. The threshold farther from zero has the full
 // color.
 CGAL::IO::Color color(double f, double inner, double outer)
 {
@@ -80,11 +87,11 @@ int run(const Options& options, const Results& results)
   };
   row("mesh") << options.file << "\n";
   row("facets, components") << r.triangles << ", " << r.components << "\n";
-  row("resolution") << r.gamma << " cells per box side\n";
+  row("resolution") << r.gamma << " cells along the longest side of the bounding box\n";
   row("cells") << r.cells << "\n";
   row("unknowns") << r.unknowns << "\n";
   row("eps1, eps2") << shell.inner_level() << ", " << shell.outer_level() << "\n";
-  row("thickness") << 100 * shell.relative_thickness() << " % of the box\n";
+  row("thickness") << 100 * shell.relative_thickness() << " % of the bounding box\n";
   std::cout << std::fixed << std::setprecision(2);
   for(int s = 0; s < 5; ++s) row(std::string("seconds: ") + name(BS::Shell_step(s))) << r.seconds[s] << "\n";
   row("seconds: surfaces") << output_seconds << "\n";

@@ -1,6 +1,6 @@
-// Checks whether the map of a shell is one-to-one. The certificate has a verdict for each claim, and witnesses where a
-// proof fails. The same object certifies other meshes in the shell. Single facets can be tested before a mesh is
-// changed.
+// Verifies the claims of the certificate for a mesh in a shell of equal cells. The certificate has a verdict for each
+// claim, and witnesses where a proof fails. The same object verifies other meshes in the shell. Single facets can be
+// tested before a mesh is changed.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/IO/write_certificate.h>
@@ -23,14 +23,18 @@ int main(int argc, char** argv)
 {
   std::string file;
   double resolution;
-  const auto code =
-    Arguments("Usage: certify_shell MESH RESOLUTION\n").required(file).required(resolution).read(argc, argv);
+  const auto code = Arguments("Usage: certify_shell MESH RESOLUTION\n"
+                              "  RESOLUTION: number of cells along the longest side of the bounding box\n"
+                              "  Writes certified.shell.txt, certified.mesh.off, and certified.certificate.txt.\n")
+                      .required(file)
+                      .required(resolution)
+                      .read(argc, argv);
   if(code) return *code;
   Mesh mesh;
   if(!read_mesh(file, mesh)) return EXIT_FAILURE;
   const CGAL::Bspline_shell_3<> shell = CGAL::bspline_shell_3(mesh, BS::parameters::resolution(resolution));
   if(!shell) {
-    std::cerr << message(shell.status()) << std::endl;
+    std::cerr << shell.message() << std::endl;
     return EXIT_FAILURE;
   }
 
@@ -50,14 +54,17 @@ int main(int argc, char** argv)
   const auto h = mesh.halfedge(*mesh.faces().begin());
   const Kernel::Point_3 p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)),
                         r = mesh.point(mesh.target(mesh.next(h)));
-  std::cout << "moved by a hundredth of the shell's thickness: "
-            << (is_in_shell(p + Kernel::Vector_3(0, 0, shell.thickness() / 100), q, r) ? "in the shell"
-                                                                                       : "not in the shell")
-            << std::endl;
+  const bool remains = is_in_shell(p + Kernel::Vector_3(0, 0, shell.thickness() / 100), q, r);
+  std::cout << "After one vertex is moved by 1 % of the shell's thickness, the facet is " << (remains ? "" : "not ")
+            << "in the shell." << std::endl;
 
-  // input of programs that check the proof
-  if(BS::write_shell("certified.shell.txt", shell) != BS::Shell_file_status::SUCCESS
-     || !BS::write_certificate("certified.certificate.txt", shell, certificate))
+  // Write the input of check_certificate, a program that checks the proof independently: the shell as text, the
+  // examined mesh with all digits, and the certificate, which identifies both by their checksums.
+  const bool has_shell = BS::write_shell("certified.shell.txt", shell) == BS::Shell_file_status::SUCCESS;
+  const bool has_mesh = save("certified.mesh.off", certificate.examined_mesh());
+  const bool has_certificate = BS::write_certificate("certified.certificate.txt", shell, certificate);
+  if(!is_written(has_shell, "certified.shell.txt") || !has_mesh
+     || !is_written(has_certificate, "certified.certificate.txt"))
     return EXIT_FAILURE;
   return certificate ? EXIT_SUCCESS : 2;
 }

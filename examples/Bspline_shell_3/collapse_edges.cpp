@@ -1,5 +1,5 @@
-// Collapses edges by CGAL's own function, with Lindstrom-Turk costs and placements. A filter keeps the mesh in its
-// shell, and the certificate confirms the result. The kernel may be any one with double coordinates.
+// Collapses edges with CGAL's edge_collapse(), by Lindstrom-Turk costs and placements. A filter keeps the mesh in its
+// shell, and the certificate verifies the result. Any kernel with double coordinates can be used.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
@@ -26,7 +26,8 @@ int main(int argc, char** argv)
 {
   std::string file;
   std::size_t facets = 1000;
-  const auto code = Arguments("Usage: collapse_edges MESH [FACETS, default 1000]\n"
+  const auto code = Arguments("Usage: collapse_edges MESH [FACETS]\n"
+                              "  FACETS: target number of facets (default 1000)\n"
                               "  Writes collapsed.off.\n")
                       .required(file)
                       .optional(facets)
@@ -36,7 +37,7 @@ int main(int argc, char** argv)
   if(!read_mesh(file, mesh)) return EXIT_FAILURE;
   const auto shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::truncate(false));
   if(!shell) {
-    std::cerr << message(shell.status()) << std::endl;
+    std::cerr << shell.message() << std::endl;
     return EXIT_FAILURE;
   }
 
@@ -50,7 +51,7 @@ int main(int argc, char** argv)
 
   BS::Shell_certificate_3 certificate(shell);
   const bool is_certified = certificate.verify(mesh);
-  std::cout << mesh.number_of_faces() << " facets are left; " << filter.statistics().rejected()
-            << " places were rejected; the mesh is " << (is_certified ? "" : "not ") << "certified." << std::endl;
+  std::cout << mesh.number_of_faces() << " facets remain, and " << filter.statistics().rejected()
+            << " placements were rejected. The mesh is " << (is_certified ? "" : "not ") << "certified." << std::endl;
   return is_certified && save("collapsed.off", mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

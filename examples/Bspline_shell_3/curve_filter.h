@@ -8,8 +8,8 @@
 #include <map>
 #include <vector>
 
-// An edge may replace a part of the curve only if the whole part is within the distance of the edge. Since the part is
-// connected, and ends where the edge ends, the edge is also within the distance of the part.
+// An edge may replace a part of the curve only if all points of the part are within a given distance of the edge. Since
+// the part is connected and has the same end points, all points of the edge are then within this distance of the part.
 class Curve_filter
 {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
@@ -18,7 +18,7 @@ class Curve_filter
   typedef Mesh::Property_map<Mesh::Edge_index, bool> Curve;
 
 public:
-  // The mesh and its map of constrained edges, before the simplification.
+  // The arguments are the mesh before the simplification, its map of constrained edges, and the distance.
   Curve_filter(const Mesh& mesh, Curve curve, double distance) : m_curve(curve), m_squared_distance(distance * distance)
   {
     for(Mesh::Edge_index e : mesh.edges()) {
@@ -45,7 +45,8 @@ public:
   }
 
 private:
-  // Returns whether the initial curve between the ends of the segment, through the point, is close to the segment.
+  // Returns whether the part of the initial curve through the point, between the ends of the segment, is within the
+  // distance of the segment.
   bool is_near(const Point& middle, const Kernel::Segment_3& segment) const
   {
     const std::vector<Point>& both = m_neighbors.at(middle);

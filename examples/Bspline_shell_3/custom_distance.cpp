@@ -1,4 +1,4 @@
-// Fits a shell to a custom signed distance, here the closed form for a sphere of radius r.
+// Builds a shell from a user-defined signed distance, here that of a sphere.
 #include <CGAL/bspline_shell_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -38,10 +38,10 @@ int main(int argc, char** argv)
   const auto shell = CGAL::bspline_shell_3(
     mesh, parameters::resolution(30).signed_distance_oracle(Distance_to_sphere{ radius }));
   if(!shell) {
-    std::cerr << message(shell.status()) << std::endl;
+    std::cerr << shell.message() << std::endl;
     return EXIT_FAILURE;
   }
-  std::cout << "the mesh of the sphere lies between the levels " << shell.inner_level() << " and "
-            << shell.outer_level() << std::endl;
+  std::cout << "The mesh of the sphere lies between the levels " << shell.inner_level() << " and "
+            << shell.outer_level() << "." << std::endl;
   return EXIT_SUCCESS;
 }

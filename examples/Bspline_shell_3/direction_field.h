@@ -1,6 +1,6 @@
-// Computes the smoothest field of vectors, lines or crosses on a closed triangle mesh, and its singularities.
-// Reference: F. Knoeppel, K. Crane, U. Pinkall and P. Schroeder: Globally optimal direction fields, 2013; here with one
-// vector per facet.
+// Computes the smoothest field of vectors, lines, or crosses on a closed triangle mesh, and its singularities.
+// Reference: F. Knoeppel, K. Crane, U. Pinkall, and P. Schroeder, Globally Optimal Direction Fields, 2013; here with
+// one vector per facet.
 #ifndef DIRECTION_FIELD_H
 #define DIRECTION_FIELD_H
 
@@ -37,7 +37,7 @@ public:
   Direction_field_space(const Mesh& mesh, int directions) : m_mesh(mesh), m_directions(directions) {}
 
   // Computes the field of a given norm that changes least across edges: an eigenvector of the connection Laplacian.
-  // Vectors are long where the direction is well determined. Returns whether it was found.
+  // Vectors are long where the direction is well determined. Returns whether the field was found.
   bool find_smoothest(Vectors field) const
   {
     const Eigen::Index size = Eigen::Index(m_mesh.num_faces());
@@ -48,7 +48,7 @@ public:
     for(Mesh::Edge_index e : m_mesh.edges()) {
       const Mesh::Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
       const int i = int(m_mesh.face(h)), j = int(m_mesh.face(g));
-      // the length of the edge divided by the distance of both centroids, in the unfolded plane
+      // the length of the edge divided by the distance between the two centroids, in the unfolded plane
       const Eigen::Vector2d distance = centroid(h) + centroid(g) - Eigen::Vector2d(edge(h).norm(), 0);
       const double weight = edge(h).norm() / distance.norm();
       const Complex transport = std::polar(1., m_directions * turn(h));

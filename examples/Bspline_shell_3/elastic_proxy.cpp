@@ -1,6 +1,7 @@
-// Bends a solid whose surface has bad triangles. A proxy with good triangles in the shell of the surface is filled with
-// tetrahedra and bent by nonlinear elasticity. The one-to-one map transfers the labels of held and moved facets to the
-// proxy, and the displacement back to all vertices of the surface. This example requires TetGen (AGPL) or Gmsh (GPL).
+// Bends a solid whose surface mesh has badly shaped triangles. The surface is remeshed in its shell, the remeshed solid
+// is filled with tetrahedra, and nonlinear elasticity is solved on them. The one-to-one map transfers labels of held
+// and moved facets to the remeshed mesh, and displacements back to all vertices of the surface. This example requires
+// TetGen (AGPL) or Gmsh (GPL).
 #include "Neo_hookean_solid.h"
 #include "bend_ends.h"
 #include "example_files.h"
@@ -45,8 +46,11 @@ int main(int argc, char** argv)
   std::string file;
   double edges = 20, degrees = 45;
   int element_order = 1;
-  const auto code = Arguments("Usage: elastic_proxy MESH [EDGES along the longest side of the box, default 20] "
-                              "[ANGLE in degrees, default 45] [ORDER of elements, 1 or 2, default 1]\n")
+  const auto code = Arguments("Usage: elastic_proxy MESH [EDGES [ANGLE [ORDER]]]\n"
+                              "  EDGES: edges of the proxy along the longest side of the bounding box (default 20)\n"
+                              "  ANGLE: bending angle in degrees (default 45)\n"
+                              "  ORDER: order of the elements, 1 or 2 (default 1)\n"
+                              "  Writes bent.ply, bent_proxy.ply and solid.vtk.\n")
                       .required(file)
                       .optional(edges)
                       .optional(degrees)
@@ -58,7 +62,7 @@ int main(int argc, char** argv)
   Mesh mesh;
   if(!read_mesh(file, mesh)) return EXIT_FAILURE;
 
-  if(!CGAL::is_closed(mesh)) return failed("The mesh is open: there is nothing to be filled.");
+  if(!CGAL::is_closed(mesh)) return failed("The mesh is open and bounds no solid: close its holes.");
 
   const Shell shell = CGAL::certified_bspline_shell_3(mesh);
   if(!shell || !shell.is_certified()) return failed(shell.message());
@@ -67,7 +71,7 @@ int main(int argc, char** argv)
   CGAL::Polygon_mesh_processing::detect_sharp_edges(proxy, 60, sharp);
   const auto report = BS::remesh_in_shell(proxy, shell.report().unit / edges, shell,
                                           BS::parameters::edge_is_constrained_map(sharp));
-  if(!report) return failed(message(report.status));
+  if(!report) return failed(report.message());
   proxy.collect_garbage();
   const BS::Shell_map_3<Shell, Mesh> map(shell, mesh, proxy);
 
@@ -87,19 +91,18 @@ int main(int argc, char** argv)
   tetrahedra = tetrahedralize_with_Gmsh(proxy);
 #endif
   if(!tetrahedra) return failed(tetrahedra.error);
-  std::cout << mesh.number_of_faces() << " facets, " << proxy.number_of_faces()
-            << " of the proxy, all of them facets of " << tetrahedra.cells.size()
-            << " tetrahedra with no other border\n";
+  std::cout << "mesh: " << mesh.number_of_faces() << " facets; proxy: " << proxy.number_of_faces()
+            << " facets, the border of " << tetrahedra.cells.size() << " tetrahedra\n";
 
   std::vector<Eigen::Vector3d> points;
   for(const auto& p : tetrahedra.points) points.push_back(to_Eigen(p));
   const Solid solid(points, tetrahedra.cells, order, lame_parameters(1, 0.3));
   const Solid::Result result = bend(solid, proxy, ends_of_proxy, motion, 2);
   std::cout << message(result.status) << " " << result.iterations << " iterations in " << result.load_steps
-            << " load steps; least J: " << result.least_jacobian << "\n";
+            << " load steps; smallest Jacobian determinant: " << result.least_jacobian << "\n";
   if(!result) return EXIT_FAILURE;
 
-  // Back to the surface: each vertex moves like its image on the proxy.
+  // Each vertex of the surface gets the displacement of its image on the remeshed mesh.
   Solid::Vectors u(3, mesh.number_of_vertices());
   for(Mesh::Vertex_index v : mesh.vertices()) {
     const auto image = map(v);
@@ -107,10 +110,11 @@ int main(int argc, char** argv)
     u.col(Eigen::Index(v)) = solid.displacement(result.displacements, corners(proxy, image.location.first),
                                                 image.location.second);
   }
-  std::cout << "displacements: up to " << u.colwise().norm().maxCoeff() / motion.length()
-            << " of the longest side of the box\n";
+  std::cout << "maximum displacement: " << u.colwise().norm().maxCoeff() / motion.length()
+            << " of the longest side of the bounding box\n";
   if(!write_VTK("solid.vtk", tetrahedra, result.displacements, "displacement") || !write_displaced("bent.ply", mesh, u)
      || !write_displaced("bent_proxy.ply", proxy, result.displacements))
-    return failed("Not all of bent.ply, bent_proxy.ply and solid.vtk are written.");
+    return failed(
+      "Not all of bent.ply, bent_proxy.ply and solid.vtk were written: check the folder and the free space.");
   return EXIT_SUCCESS;
 }

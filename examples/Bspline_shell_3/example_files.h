@@ -2,6 +2,7 @@
 #ifndef EXAMPLE_FILES_H
 #define EXAMPLE_FILES_H
 
+#include <CGAL/Bspline_shell_3/IO/Shell_file_status.h>
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/IO/write_file.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
@@ -73,8 +74,8 @@ public:
         if(++i == argc) return wrong(arg + " needs a value.");
         if(!option->second(argv[i])) return wrong(arg + " cannot be " + argv[i] + ".");
       } else if(arg.size() > 1 && arg[0] == '-') return wrong("There is no option " + arg + ".");
-      else if(positional == m_positional.size()) return wrong(arg + " is one argument too many.");
-      else if(!m_positional[positional++](arg)) return wrong("An argument cannot be " + arg + ".");
+      else if(positional == m_positional.size()) return wrong("There are too many arguments: " + arg + ".");
+      else if(!m_positional[positional++](arg)) return wrong(arg + " is not a valid argument.");
     }
     return positional < m_required ? wrong("An argument is missing.") : std::nullopt;
   }
@@ -127,7 +128,7 @@ inline void list_places(std::ostream& out, const char* kind, const std::vector<s
   if(places.empty()) return;
   out << kind << ":";
   for(std::size_t i = 0; i < (std::min)(places.size(), std::size_t(10)); ++i) out << " " << places[i];
-  out << (places.size() > 10 ? " ... (" + std::to_string(places.size()) + ")" : "") << std::endl;
+  out << (places.size() > 10 ? " ... (" + std::to_string(places.size()) + " in total)" : "") << std::endl;
 }
 
 // Prints a message with its file and line, followed by the facets and vertices concerned.
@@ -153,7 +154,7 @@ bool read_mesh(const std::string& file, Mesh& mesh)
 // Returns `success`, and prints a message if it is false.
 inline bool is_written(bool success, const std::string& file)
 {
-  if(!success) std::cerr << "Cannot write " << file << std::endl;
+  if(!success) std::cerr << file << ": " << message(BS::Shell_file_status::CANNOT_WRITE) << std::endl;
   return success;
 }
 

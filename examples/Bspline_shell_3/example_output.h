@@ -1,4 +1,4 @@
-// Shared by examples that write a shell: messages, progress, and results that are replaced together.
+// Shared by examples that write a shell: messages, progress, and files that are replaced together.
 #ifndef EXAMPLE_OUTPUT_H
 #define EXAMPLE_OUTPUT_H
 
@@ -44,7 +44,7 @@ enum Exit_code
   NO_SHELL = 10
 };
 
-// Prints the current step in one line of a terminal, and nothing to a pipe.
+// Shows the current step in one line of a terminal, and prints nothing if the output is redirected.
 struct Step_printer : BS::Default_shell_visitor
 {
   bool start_step(BS::Shell_step step)
@@ -72,8 +72,8 @@ inline int refuse(BS::Shell_status status, const std::string& message, const BS:
   return NO_SHELL + int(status);
 }
 
-// The files of a run: PREFIX and an ending. They are written under temporary names, and renamed together at the end. So
-// a failed run neither removes results of an earlier one, nor mixes with them.
+// The files of a run: PREFIX and an ending. They are written under temporary names, and renamed together at the end.
+// Thus, a failed run does not change the results of an earlier run.
 class Results
 {
 public:
@@ -94,7 +94,7 @@ public:
     for(const std::string& ending : m_endings) {
       std::error_code error;
       if(std::filesystem::equivalent(m_prefix + ending, mesh_file, error)) {
-        std::cerr << "The result would replace the mesh " << mesh_file << ": choose another PREFIX" << std::endl;
+        std::cerr << "The results would overwrite the input " << mesh_file << ": choose another PREFIX." << std::endl;
         return WRONG_USAGE;
       }
       const bool is_folder = std::filesystem::is_directory(m_prefix + ending, error);
@@ -109,7 +109,8 @@ public:
   std::string pending(const std::string& ending) const { return m_prefix + ".new" + ending; }
 
   // Renames the written files, and returns the exit code. After success, complete or partial, they replace all results
-  // of an earlier run. Otherwise, earlier results are kept, and the files are named PREFIX.failed.
+  // of an earlier run. After a failure, earlier results are kept, and the names of the files begin with PREFIX.failed;
+  // without earlier results, they begin with PREFIX.
   int finish(int code) const
   {
     const auto any_exists = [&](const std::string& prefix) {
@@ -128,7 +129,8 @@ public:
       else if(!is_written(std::rename(pending(ending).c_str(), place.c_str()) == 0, place)) code = CANNOT_WRITE;
     }
     if(is_beside)
-      std::cerr << "Results of an earlier run are kept. Those of this run begin with " << prefix << std::endl;
+      std::cerr << "The results of an earlier run were kept. The files of this run begin with " << prefix << "."
+                << std::endl;
     return code;
   }
 
@@ -146,7 +148,7 @@ inline void list_witnesses(const BS::Certificate_report& certificate)
     std::cerr << name(w.claim) << " is " << name(w.verdict) << " at " << place(w) << "\n";
   }
   if(certificate.total_number_of_witnesses() > 10)
-    std::cerr << "... (" << certificate.total_number_of_witnesses() << " places)" << std::endl;
+    std::cerr << "... (" << certificate.total_number_of_witnesses() << " places in total)" << std::endl;
 }
 
 // Prints the reached limit, if any, and the narrowest obstacles, and writes all obstacles as points.
@@ -158,7 +160,7 @@ inline bool report_obstacles(const BS::Shell_report& report, const std::string& 
     places.emplace_back(o.point[0], o.point[1], o.point[2]);
     if(places.size() <= 5) std::cerr << message(o, report.unit) << "\n";
   }
-  if(places.size() > 5) std::cerr << "... (" << places.size() << " places are listed)" << std::endl;
+  if(places.size() > 5) std::cerr << "... (" << places.size() << " places in total)" << std::endl;
   return places.empty() || write_result(file, [&](std::ostream& out) {
            out.precision(17);
            return CGAL::IO::write_PLY(out, places);
@@ -171,13 +173,13 @@ inline void print_repairs(const BS::Soup_repairs& repairs)
   const auto line = [](std::size_t number, const char* what) {
     if(number > 0) std::cout << "repaired      " << number << " " << what << "\n";
   };
-  line(repairs.merged_points, "points merged with others at their positions");
-  line(repairs.removed_polygons, "polygons without three points removed");
-  line(repairs.split_polygons, "polygons with a point twice taken apart");
-  line(repairs.duplicate_polygons, "doubled polygons removed");
-  line(repairs.reversed_polygons, "polygons turned round");
-  line(repairs.degenerate_facets, "facets without area removed");
-  if(repairs.reversed_components) std::cout << "repaired      components turned inside out, to bound a volume\n";
+  line(repairs.merged_points, "coincident points merged");
+  line(repairs.removed_polygons, "polygons with fewer than three distinct points removed");
+  line(repairs.split_polygons, "polygons with repeated points split");
+  line(repairs.duplicate_polygons, "duplicate polygons removed");
+  line(repairs.reversed_polygons, "polygons reversed");
+  line(repairs.degenerate_facets, "degenerate facets removed");
+  if(repairs.reversed_components) std::cout << "repaired      components reversed to bound a volume\n";
 }
 
 inline bool write_mesh(const std::string& file, const Mesh& mesh)
@@ -191,7 +193,7 @@ inline bool write_mesh(const std::string& file, const Mesh& mesh)
 // Prints the reason for a proxy, and the places where the polygons are not a mesh.
 inline void print_reason(const BS::Shell_of_soup_3& found)
 {
-  std::cout << "no mesh       " << found.mesh_message() << "\n";
+  std::cout << "proxy needed  " << found.mesh_message() << "\n";
   list_places(std::cout, "              facets", found.offending_simplices.facets);
   list_places(std::cout, "              vertices", found.offending_simplices.vertices);
 }
@@ -204,7 +206,7 @@ int write_surface(const std::string& file, const Shell& shell, const typename Sh
   const BS::Level_set_status status = BS::extract_shell_surface<CGAL::Parallel_if_available_tag>(shell, threshold,
                                                                                                  surface);
   if(status != BS::Level_set_status::SUCCESS) {
-    std::cerr << "No " << file << ". " << message(status) << std::endl;
+    std::cerr << file << ": " << message(status) << std::endl;
     return NO_SURFACE;
   }
   return write_mesh(file, surface) ? 0 : CANNOT_WRITE;

@@ -1,5 +1,5 @@
-// Geodesic distances on a mesh with bad triangles: the heat method is solved on a proxy with good triangles in the
-// mesh's shell, and the distances are transferred back along the integral curves. The proxy keeps the source vertex.
+// Computes geodesic distances on a mesh with badly shaped triangles: the heat method is applied to the mesh remeshed in
+// its shell, and the distances are transferred back along the integral curves. Remeshing keeps the source vertex.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
@@ -34,8 +34,8 @@ void print_errors(const char* name, const Mesh& mesh, Distance distance, Distanc
     most = (std::max)(most, error);
     largest = (std::max)(largest, exact[v]);
   }
-  std::cout << name << 100 * sum / double(mesh.number_of_vertices()) / largest << " % off in the mean, "
-            << 100 * most / largest << " % at most\n";
+  std::cout << name << ": mean error " << 100 * sum / double(mesh.number_of_vertices()) / largest
+            << " %, maximum error " << 100 * most / largest << " % of the largest distance\n";
 }
 
 int main(int argc, char** argv)
@@ -43,8 +43,11 @@ int main(int argc, char** argv)
   std::string file;
   double edges = 100;
   int number = 0;
-  const Arguments arguments = Arguments("Usage: heat_geodesics MESH [EDGES along the longest side of the box, "
-                                        "default 100] [SOURCE, a vertex, default 0]\n")
+  const Arguments arguments = Arguments("Usage: heat_geodesics MESH [EDGES [SOURCE]]\n"
+                                        "  EDGES: edges of the proxy along the longest side of the bounding box "
+                                        "(default 100)\n"
+                                        "  SOURCE: number of the source vertex (default 0)\n"
+                                        "  Writes heat_geodesics.ply and heat_geodesics_proxy.ply.\n")
                                 .required(file)
                                 .optional(edges)
                                 .optional(number);
@@ -52,14 +55,14 @@ int main(int argc, char** argv)
   Mesh mesh;
   if(!read_mesh(file, mesh)) return EXIT_FAILURE;
   const Mesh::Vertex_index source{ Mesh::size_type(number) };
-  if(!mesh.has_valid_index(source)) return *arguments.wrong("There is no vertex " + std::to_string(number) + ".");
+  if(!mesh.has_valid_index(source)) return *arguments.wrong("The mesh has no vertex " + std::to_string(number) + ".");
   const Shell shell = CGAL::certified_bspline_shell_3(mesh);
   if(!shell.is_certified()) {
     std::cerr << shell.message() << std::endl;
     return EXIT_FAILURE;
   }
 
-  // the proxy: nearly equilateral triangles, the mesh's sharp edges, and the source
+  // Remesh with nearly equilateral triangles, and keep sharp edges and the source.
   Mesh proxy = mesh;
   auto sharp = proxy.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
   auto is_source = proxy.add_property_map<Mesh::Vertex_index, bool>("v:source", false).first;
@@ -69,12 +72,12 @@ int main(int argc, char** argv)
     proxy, shell.report().unit / edges, shell,
     BS::parameters::edge_is_constrained_map(sharp).vertex_is_constrained_map(is_source));
   if(!report) {
-    std::cerr << BS::message(report.status) << std::endl;
+    std::cerr << report.message() << std::endl;
     return EXIT_FAILURE;
   }
   proxy.collect_garbage();
 
-  // distances on the proxy, transferred back to the mesh
+  // Compute distances on the remeshed mesh, and transfer them back.
   const Distance on_proxy = proxy.add_property_map<Mesh::Vertex_index, double>("v:distance").first,
                  distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first,
                  direct = mesh.add_property_map<Mesh::Vertex_index, double>("v:direct").first,
@@ -95,7 +98,7 @@ int main(int argc, char** argv)
   Shortest_paths paths(mesh);
   paths.add_source_point(source);
   for(Mesh::Vertex_index v : mesh.vertices()) exact[v] = paths.shortest_distance_to_source_points(v).first;
-  print_errors("on the mesh itself:     ", mesh, direct, exact);
-  print_errors("on a proxy, and back:   ", mesh, distance, exact);
+  print_errors("on the mesh itself", mesh, direct, exact);
+  print_errors("on the proxy, transferred back", mesh, distance, exact);
   return save("heat_geodesics.ply", mesh) && save("heat_geodesics_proxy.ply", proxy) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

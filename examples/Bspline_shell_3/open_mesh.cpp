@@ -1,5 +1,5 @@
-// Simplifies an open mesh. Its shell is that of a closed mesh, whose caps and back sheets are not visible to the user.
-// The border does not change in any bit, and the map between the meshes is one-to-one.
+// Simplifies an open mesh. Its shell is built around the mesh and triangles that close it, which are not part of the
+// result. The border stays the same, bit for bit, and the map between the meshes is one-to-one.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
@@ -27,17 +27,17 @@ int main(int argc, char** argv)
   std::cout << shell.message() << "\n";
   if(!shell.is_certified()) return EXIT_FAILURE;
   const BS::Closing_report& closing = shell.report().closing;
-  std::cout << closing.holes.size() << " holes: " << closing.caps() << " caps, " << closing.sheets << " back sheets, "
-            << closing.triangles << " triangles\n";
+  std::cout << "holes: " << closing.holes.size() << "; closed with " << closing.caps() << " caps and " << closing.sheets
+            << " back sheets of " << closing.triangles << " triangles\n";
 
   Mesh coarse = mesh;
   const auto result = BS::simplify_in_shell(coarse, shell);
   if(!result) {
-    std::cerr << BS::message(result.status) << std::endl;
+    std::cerr << result.message() << std::endl;
     return EXIT_FAILURE;
   }
   coarse.collect_garbage();
-  std::cout << result.facets_before << " facets before, " << result.facets << " now\n";
+  std::cout << "facets: " << result.facets_before << " before, " << result.facets << " after\n";
 
   const BS::Shell_map_3 map(shell, mesh, coarse);
   std::size_t lost = 0, moved = 0;
@@ -46,7 +46,7 @@ int main(int argc, char** argv)
     if(!image) ++lost;
     else if(mesh.is_border(v) && image.point != mesh.point(v)) ++moved;
   }
-  std::cout << lost << " vertices without an image, " << moved << " border vertices moved\n";
+  std::cout << "vertices without an image: " << lost << "; border vertices that moved: " << moved << "\n";
 
   // the closed mesh that was certified, for inspection
   Mesh closed = mesh;

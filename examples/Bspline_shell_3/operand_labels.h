@@ -1,4 +1,4 @@
-// Labels of facets that are preserved by CGAL's Boolean operations, and the curve between facets with different labels.
+// Facet labels that are preserved by CGAL's Boolean operations, and the curve between facets with different labels.
 #ifndef OPERAND_LABELS_H
 #define OPERAND_LABELS_H
 
@@ -75,7 +75,7 @@ inline bool is_operand(const Mesh& mesh)
          && PMP::does_bound_a_volume(mesh);
 }
 
-// Returns whether the result is a manifold. Its facets have the labels of the facets that they are parts of.
+// Returns whether the result is a manifold. Each of its facets has the label of the facet of which it is a part.
 inline bool compute(Boolean operation, Mesh first, Mesh second, Mesh& result)
 {
   Label_visitor visitor;
@@ -97,8 +97,8 @@ inline std::size_t mark_curve(const Mesh& mesh, Labels labels, Curve curve)
   return number;
 }
 
-// Scales, turns and moves a mesh, so that it is as large as the first one, and their boxes intersect. Axis-parallel
-// facets of both meshes are usually not coplanar.
+// Scales, rotates, and translates a mesh such that it is as large as the first one, and their bounding boxes intersect.
+// Axis-parallel facets of the two meshes are usually not coplanar.
 inline void place(Mesh& mesh, const Mesh& first)
 {
   const CGAL::Bbox_3 box = PMP::bbox(mesh), other = PMP::bbox(first);
@@ -106,7 +106,7 @@ inline void place(Mesh& mesh, const Mesh& first)
   const auto middle = [](const CGAL::Bbox_3& b, int axis) { return ((b.max)(axis) + (b.min)(axis)) / 2; };
   const auto longest = [&](const CGAL::Bbox_3& b) { return (std::max)({ side(b, 0), side(b, 1), side(b, 2) }); };
   const double s = longest(other) / longest(box);
-  // turned by 90 degrees about the z-axis
+  // rotated by 90 degrees about the z-axis
   PMP::transform(Kernel::Aff_transformation_3(0, -s, 0, middle(other, 0) + s * middle(box, 1) + 0.31 * side(other, 0),
                                               s, 0, 0, middle(other, 1) - s * middle(box, 0) + 0.13 * side(other, 1), 0,
                                               0, s, middle(other, 2) - s * middle(box, 2) + 0.17 * side(other, 2)),

@@ -16,10 +16,10 @@ int main(int argc, char** argv)
   Shell shell;
   if(const auto code = begin_example(argc, argv, mesh, shell, moved)) return *code;
 
-  const Projection projection(shell, moved); // sorts the facets once; shared by threads
+  const Projection projection(shell, moved); // builds a search tree once; may be shared by threads
   std::atomic<std::size_t> projected(0);
   const auto project_vertices = [&](unsigned int begin, unsigned int end) {
-    Projection::Hint hint; // one for each thread: the search begins at the previous image
+    Projection::Hint hint; // one per thread: the search begins at the previous image
     for(unsigned int n = begin; n < end; ++n) {
       const Projection::Image image = projection(mesh.point(Mesh::Vertex_index(n)), hint);
       if(image) ++projected; // image.point, image.location

@@ -1,6 +1,5 @@
-// Remeshes a mesh in its shell to edges of similar length, keeps its sharp edges, and transfers a function at its
-// vertices to the result. Two properties are proved: the result does not intersect itself, and the map between both
-// meshes is one-to-one.
+// Remeshes a mesh in its shell to edges of similar length, keeps sharp edges, and transfers a vertex attribute to the
+// result. It is proved that the result does not intersect itself, and that the map between the meshes is one-to-one.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
@@ -24,8 +23,11 @@ int main(int argc, char** argv)
 {
   std::string file;
   double edges = 50, thickness = 0.01;
-  const auto code = Arguments("Usage: remesh_mesh MESH [EDGES along the longest side of the box, default 50] "
-                              "[THICKNESS, of the box, default 0.01]\n  Writes remeshed.ply.\n")
+  const auto code = Arguments(
+                      "Usage: remesh_mesh MESH [EDGES [THICKNESS]]\n"
+                      "  EDGES: target number of edges along the longest side of the bounding box (default 50)\n"
+                      "  THICKNESS: thickness of the shell, as a fraction of that side (default 0.01)\n"
+                      "  Writes remeshed.ply.\n")
                       .required(file)
                       .optional(edges)
                       .optional(thickness)
@@ -35,12 +37,12 @@ int main(int argc, char** argv)
   if(!read_mesh(file, mesh)) return EXIT_FAILURE;
   const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness));
   if(!shell) {
-    std::cerr << message(shell.status()) << std::endl;
+    std::cerr << shell.message() << std::endl;
     return EXIT_FAILURE;
   }
-  const double unit = shell.report().unit; // the longest side of the box
+  const double unit = shell.report().unit; // the longest side of the bounding box
 
-  // a function on the initial mesh
+  // a vertex attribute of the initial mesh
   Mesh before = mesh;
   auto wave = before.add_property_map<Mesh::Vertex_index, double>("v:wave").first;
   for(Mesh::Vertex_index v : before.vertices()) wave[v] = std::sin(20 * before.point(v).x() / unit);
@@ -48,14 +50,15 @@ int main(int argc, char** argv)
   auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
   CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, 60, sharp);
   const auto report = BS::remesh_in_shell(mesh, unit / edges, shell, BS::parameters::edge_is_constrained_map(sharp));
-  std::cout << BS::message(report.status) << "\n";
+  std::cout << report.message() << "\n";
   if(!report) return EXIT_FAILURE;
-  std::cout << report.facets_before << " facets before, " << report.facets << " now: " << report.splits << " splits, "
-            << report.collapses << " collapses, " << report.flips << " flips, " << report.moves
-            << " moves; refused: " << report.placements.rejected() << "\nseconds: " << report.edit_seconds
-            << " (operations) " << report.certificate_seconds << " (certificate)\n";
+  std::cout << "facets: " << report.facets_before << " before, " << report.facets
+            << " after\noperations: " << report.splits << " splits, " << report.collapses << " collapses, "
+            << report.flips << " flips, " << report.moves << " moves; " << report.placements.rejected()
+            << " rejected\nseconds: " << report.edit_seconds << " for the operations, " << report.certificate_seconds
+            << " for the certificate\n";
 
-  // to the result, along the integral curves
+  // Transfer the attribute to the result along the integral curves.
   mesh.collect_garbage();
   auto wave_now = mesh.add_property_map<Mesh::Vertex_index, double>("v:wave").first;
   const BS::Shell_map_3<Shell, Mesh> map(shell, before, mesh);

@@ -3,11 +3,11 @@
 
 Usage: render_shell.py PREFIX PICTURE.png
 
-Reads PREFIX_{mesh,inner,outer}.ply. Draws the mesh with its colors, and a cut through mesh and shell with a magnifier.
-If there are PREFIX_{simplified,detail}.ply, the simplified mesh with the transferred colors is drawn between them, and
-in the cut: its edges are those of simplified, its colors those of detail.
+Reads PREFIX_{mesh,inner,outer}.ply. Draws the mesh with its colors, and a cross section of the mesh and the shell with
+an enlarged detail. If there are PREFIX_{simplified,detail}.ply, draws the simplified mesh between them, with the edges
+of simplified and the colors of detail, and adds it to the cross section.
 
-If there is PREFIX_places.ply but no PREFIX_outer.ply, draws the mesh and these points, at which the proof fails.
+If there is PREFIX_places.ply but no PREFIX_outer.ply, draws the mesh and these points, where the proof fails.
 """
 import os
 import sys
@@ -16,22 +16,22 @@ import vtk
 
 PANEL = 600             # width, in pixels
 TITLE = 40              # height, in pixels
-MAGNIFIER = 0.32        # fraction of a panel
+MAGNIFIER = 0.32        # size of the enlarged detail, fraction of a panel
 SAMPLES = 3             # per pixel and direction
 BLUE, RED, GREY, BLACK, GREEN = (0.20, 0.42, 0.85), (0.85, 0.25, 0.20), (0.93, 0.92, 0.90), (0.1, 0.1, 0.1), (0.0, 0.55, 0.25)
 
 
 def read(name, points=False):
     if not os.path.isfile(name):
-        sys.exit(f"{name} is missing")
+        sys.exit(f"{name} does not exist.")
     reader = vtk.vtkPLYReader()
     reader.SetFileName(name)
     reader.Update()
     data = reader.GetOutput()
     if points and data.GetNumberOfPoints() == 0:
-        sys.exit(f"{name} has no points")
+        sys.exit(f"{name} has no points.")
     if not points and data.GetNumberOfPolys() == 0:
-        sys.exit(f"{name} has no facets")
+        sys.exit(f"{name} has no facets.")
     return data
 
 
@@ -122,7 +122,7 @@ def in_view(data, camera):
 def emptiest_corner(data, scale, rows):
     """Returns the corner of a panel, above its title, with the fewest points.
 
-    The data are in view coordinates, which are zero in the middle of the panel.
+    The data are in view coordinates, with the origin in the middle of the panel.
     """
     width, height, middle = scale * PANEL, scale * (rows - TITLE), scale * TITLE / 2
     points = [data.GetPoint(i) for i in range(data.GetNumberOfPoints())]
@@ -225,7 +225,7 @@ def main(prefix, picture):
     cut += [outline(inner, plane, BLUE, 1.5), outline(outer, plane, RED, 1.5), outline(mesh, plane, BLACK, 1.5)]
     if simplified:
         panels.append(([actor(detail), edges(simplified)],
-                       [title(f"simplified: {simplified.GetNumberOfPolys()} facets, colors carried over")]))
+                       [title(f"simplified: {simplified.GetNumberOfPolys()} facets, with transferred colors")]))
         cut += [actor(half(simplified, plane), GREY), outline(simplified, plane, GREEN, 1.5)]
         simplified_legend = [("simplified", GREEN)]
     else:
@@ -272,7 +272,7 @@ def main(prefix, picture):
         camera.SetPosition([camera.GetPosition()[a] + shift[a] for a in range(3)])
         renderer.ResetCameraClippingRange()
 
-    # a magnifier of the upper left of the cut
+    # an enlarged detail at the upper left of the cross section
     loop = largest_loop(mesh, plane)
     right = [up[(a + 1) % 3] * view[(a + 2) % 3] - up[(a + 2) % 3] * view[(a + 1) % 3] for a in range(3)]
     place = max((loop.GetPoint(i) for i in range(loop.GetNumberOfPoints())),

@@ -22,8 +22,8 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Certified_bspline_shell_3 Shell;
 
-// Moves vertices along the integral curves towards one of the thresholds. If the mesh is then not certified, they are
-// moved by half as much.
+// Moves vertices along the integral curves toward one of the thresholds. While the moved mesh is not certified, the
+// displacements are halved.
 inline bool move_in_shell(const Shell& shell, const Mesh& mesh, Mesh& moved)
 {
   const BS::Gradient_flow_3<Shell> flow(shell);
@@ -44,7 +44,7 @@ inline bool move_in_shell(const Shell& shell, const Mesh& mesh, Mesh& moved)
     }
     if(certificate.verify(moved)) return true;
   }
-  std::cerr << "No other mesh in the shell was certified." << std::endl;
+  std::cerr << "No other mesh in the shell was certified: choose another MESH." << std::endl;
   return false;
 }
 
@@ -67,7 +67,7 @@ inline std::optional<int> begin_example(int argc, char** argv, Mesh& mesh, Shell
 inline bool is_complete(const BS::Transfer_report& report)
 {
   if(!report)
-    std::cerr << report.failures.size() << " values are missing, the first at position " << report.failures[0].first
+    std::cerr << report.failures.size() << " values are missing, the first one at position " << report.failures[0].first
               << ": " << message(report.failures[0].second) << std::endl;
   return bool(report);
 }

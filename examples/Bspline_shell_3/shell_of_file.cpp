@@ -1,5 +1,6 @@
-// Writes a certified shell of any file: reads polygons without requirements, and repairs them if possible. The shell is
-// that of the mesh, virtually closed if it is open, or of a proxy if the polygons are not a mesh.
+// Builds a certified shell of the polygons in a file, without requirements on their quality. They are repaired if
+// possible. The shell is that of the mesh, virtually closed if it is open. If the polygons are not a mesh, or this
+// shell is not certified, it is that of a proxy.
 #include "example_output.h"
 
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
@@ -16,23 +17,27 @@
 
 const char* const usage =
   "Usage: shell_of_file FILE [--thickness T] [--time-limit SECONDS] [--output PREFIX]\n"
-  "  T is a part of the longest side of the box, by default 0.01; PREFIX is shell if not given. By default, time is "
-  "not limited.\n"
-  "  Writes\n"
-  "    PREFIX.shell                the shell\n"
-  "    PREFIX_mesh.ply             the mesh that the shell is of: the file's, repaired, or a proxy\n"
-  "    PREFIX_{inner,outer}.ply    the surfaces that bound the shell\n"
-  "    PREFIX_soup.ply             with a proxy, the file's polygons; green: carried by curves, yellow: continued to "
-  "the nearest point,\n"
-  "                                grey: hidden from the proxy\n"
-  "    PREFIX_places.ply           without a proof, points that stand in the way\n"
-  "    PREFIX.json                 what was done, and why\n"
-  "  Files take their places together at the end. If the run fails (3, 5, 10 or more), results of an earlier run "
-  "stay,\n"
-  "  and the files of this one are named PREFIX.failed.\n"
-  "  Exit codes: 0 certified; 2 wrong usage; 3 a file cannot be written; 4 a bounding surface cannot be extracted, "
-  "the\n"
-  "  other files are written; 5 not certified; 10 + the status (Status.h) if there is no shell.\n";
+  "Builds a certified shell of the polygons in FILE (OFF, OBJ, PLY or STL).\n"
+  "  --thickness T           thickness, as a fraction of the longest side of the bounding box (default 0.01)\n"
+  "  --time-limit SECONDS    time limit (default: none)\n"
+  "  --output PREFIX         prefix of the file names (default: shell)\n"
+  "Writes\n"
+  "  PREFIX.shell                the shell\n"
+  "  PREFIX_mesh.ply             the mesh of the shell: the repaired input, or a proxy\n"
+  "  PREFIX_{inner,outer}.ply    the bounding surfaces of the shell\n"
+  "  PREFIX_soup.ply             if there is a proxy: the input polygons, green where they are carried along curves,\n"
+  "                              yellow where they are continued to the nearest point, gray where they are hidden\n"
+  "  PREFIX_places.ply           if the shell is not certified: points where the proof fails\n"
+  "  PREFIX.json                 report on the repairs, the proxy and the shell\n"
+  "The files are replaced together at the end. If the run fails (exit codes 3, 5, 10 or more), the results of an\n"
+  "earlier run are kept, and the names of the new files begin with PREFIX.failed.\n"
+  "Exit codes\n"
+  "  0   the shell is certified\n"
+  "  2   wrong usage\n"
+  "  3   a file cannot be written\n"
+  "  4   a bounding surface cannot be extracted; the other files are written\n"
+  "  5   the shell is not certified\n"
+  "  10 or more    there is no shell: 10 + the number of the status (Shell_status)\n";
 
 // Writes the polygons as a mesh, colored by the status of their points.
 bool write_soup(const Results& results, const BS::Soup_proxy_3& proxy, const BS::Soup_shares& shares)
@@ -46,7 +51,7 @@ bool write_soup(const Results& results, const BS::Soup_proxy_3& proxy, const BS:
                : p == BS::Soup_point::CONTINUED ? CGAL::IO::Color(235, 190, 60)
                                                 : CGAL::IO::Color(150, 150, 150);
   }
-  std::cout << "carried       " << 100 * shares.carried << " % of the area; " << 100 * shares.continued
+  std::cout << "area          " << 100 * shares.carried << " % carried along curves, " << 100 * shares.continued
             << " % continued to the nearest point, " << 100 * shares.hidden << " % hidden\n";
   return write_mesh(results.pending("_soup.ply"), soup);
 }
@@ -76,10 +81,10 @@ int run(const Options& options, const Results& results)
   print_repairs(found.repairs);
   if(found.proxy) print_reason(found);
   const BS::Shell_report& report = found.shell().report();
-  std::cout << "shell         of " << found.mesh().number_of_faces() << " facets, " << name(found.kind()) << "; "
+  std::cout << "shell         " << found.mesh().number_of_faces() << " facets, " << name(found.kind()) << "; "
             << report.cells << " cells\n"
-            << "thickness     " << 100 * found.shell().relative_thickness() << " % of the box, less on "
-            << 100 * report.narrowed_area << " % of the mesh\n"
+            << "thickness     " << 100 * found.shell().relative_thickness() << " % of the bounding box; narrower on "
+            << 100 * report.narrowed_area << " % of the mesh area\n"
             << found.message() << std::endl;
   if(!write_mesh(results.pending("_mesh.ply"), found.mesh())) return CANNOT_WRITE;
   if(found.proxy && !write_soup(results, *found.proxy, shares)) return CANNOT_WRITE;

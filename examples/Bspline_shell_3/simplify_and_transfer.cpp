@@ -1,6 +1,6 @@
-// The complete pipeline: builds the certified shell of a file's mesh or of a proxy, and simplifies the mesh in it.
-// Colors and a scalar at the vertices are transferred along the integral curves. Writes both meshes with their
-// attributes, and the shell's bounding surfaces; render_shell.py draws them.
+// The complete pipeline: builds the certified shell of the mesh in a file, or of a proxy, and simplifies the mesh in
+// it. Transfers test colors and a test scalar at the vertices along the integral curves; attributes in the file are not
+// read. Writes both meshes with their attributes, and the bounding surfaces of the shell; render_shell.py draws them.
 #include "example_output.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
@@ -34,24 +34,33 @@ typedef BS::Shell_map_3<Shell, Mesh> Map;
 const char* const usage =
   "Usage: simplify_and_transfer FILE [--facets FACETS] [--thickness T] [--output PREFIX] [--time-limit SECONDS]\n"
   "                             [--memory-limit MB] [--threads N]\n"
-  "  Simplifies to FACETS facets, or as far as the shell allows. The thickness T of the shell is a part of the "
-  "longest\n"
-  "  side of the box, by default 0.01: the thicker, the fewer facets it allows.\n"
-  "  Writes PREFIX_{mesh,simplified,detail,inner,outer}.ply; PREFIX is simplified if not given. mesh is that of the\n"
-  "  file, repaired, or a proxy around what is no mesh; PREFIX.json says which, and why. detail is the simplified "
-  "mesh,\n"
-  "  cut into small triangles that show the color of every point. PREFIX_simplified.json has the numbers of facets, "
-  "and\n"
-  "  how far points arrive from where they started, there and back. SECONDS is the limit of the shell and the\n"
-  "  simplification together, after which they end with a status; by default there is none. MB is the memory limit of\n"
-  "  the shell, by default 4000; N is by default the number of processors.\n"
-  "  If the shell is not certified, writes PREFIX_{mesh,places}.ply: the mesh, and points that stand in the way.\n"
-  "  Files take their places together at the end. If the run fails (3, 5, 6, 10 or more), results of an earlier run\n"
-  "  stay, and the files of this one are named PREFIX.failed.\n"
-  "  Exit codes: 0 done; 2 wrong usage; 3 a file cannot be written; 4 a bounding surface cannot be extracted, the "
-  "other\n"
-  "  files are written; 5 the shell is not certified; 6 the mesh is not simplified; 7 points are lost on the way, all\n"
-  "  files are written; 10 + the status (Status.h) if the mesh is refused or the shell fails.\n";
+  "Simplifies the mesh in FILE (OFF, OBJ, PLY or STL) in its shell, and transfers colors and a scalar field.\n"
+  "  --facets FACETS         target number of facets (default: as few as the shell allows)\n"
+  "  --thickness T           thickness of the shell, as a fraction of the longest side of the bounding box (default\n"
+  "                          0.01); a thicker shell allows fewer facets\n"
+  "  --output PREFIX         prefix of the file names (default: simplified)\n"
+  "  --time-limit SECONDS    time limit for the shell and the simplification together (default: none)\n"
+  "  --memory-limit MB       memory limit for the shell, in megabytes (default 4000)\n"
+  "  --threads N             number of threads (default: all processors)\n"
+  "Writes\n"
+  "  PREFIX.json                 report on the repairs, the proxy and the shell\n"
+  "  PREFIX_mesh.ply             the mesh of the shell: the repaired input, or a proxy\n"
+  "  PREFIX_simplified.ply       the simplified mesh\n"
+  "  PREFIX_detail.ply           the same surface, subdivided to show the transferred color of every point\n"
+  "  PREFIX_simplified.json      numbers of facets, and errors of points after the round trip between both meshes\n"
+  "  PREFIX_{inner,outer}.ply    the bounding surfaces of the shell\n"
+  "  PREFIX_places.ply           if the shell is not certified: points where the proof fails\n"
+  "The files are replaced together at the end. If the run fails (exit codes 3, 5, 6, 10 or more), the results of an\n"
+  "earlier run are kept, and the names of the new files begin with PREFIX.failed.\n"
+  "Exit codes\n"
+  "  0   success\n"
+  "  2   wrong usage\n"
+  "  3   a file cannot be written\n"
+  "  4   a bounding surface cannot be extracted; the other files are written\n"
+  "  5   the shell is not certified\n"
+  "  6   the mesh is not simplified\n"
+  "  7   some points have no image; all files are written\n"
+  "  10 or more    there is no shell: 10 + the number of the status (Shell_status)\n";
 
 // Adds the distance from the vertex with the largest sum of coordinates, and stripes around this vertex.
 void add_attributes(Mesh& mesh)
@@ -82,7 +91,7 @@ void add_attributes(Mesh& mesh)
   }
 }
 
-// Splits facets into four without changing the surface.
+// A mask of subdivision that splits facets into four, and does not change the surface.
 struct Flat_mask
 {
   const Mesh* mesh;
@@ -106,8 +115,8 @@ Mesh::Property_map<Mesh::Vertex_index, Value> attribute(Mesh& mesh, const std::s
   return mesh.add_property_map<Mesh::Vertex_index, Value>(name).first;
 }
 
-// Gives the vertices of the target the source's values along their curves. Prints and returns the number of vertices
-// without a value.
+// Transfers the attribute with this name from the source to the target. Prints and returns the number of vertices that
+// have no image.
 template <typename Value>
 std::size_t carry_over(const Map& map, Mesh& source, Mesh& target, const std::string& name)
 {
@@ -115,7 +124,7 @@ std::size_t carry_over(const Map& map, Mesh& source, Mesh& target, const std::st
                                                                    attribute<Value>(target, name));
   if(!report) {
     const auto& [vertex, status] = report.failures[0];
-    std::cerr << name << ": " << report.failures.size() << " points are lost, the first at "
+    std::cerr << name << ": " << report.failures.size() << " points have no image, the first at "
               << target.point(Mesh::Vertex_index(Mesh::size_type(vertex))) << ": " << message(status) << std::endl;
   }
   return report.failures.size();
@@ -124,7 +133,7 @@ std::size_t carry_over(const Map& map, Mesh& source, Mesh& target, const std::st
 struct Round_trip
 {
   std::size_t points = 0, lost = 0;
-  double farthest = 0; // the largest distance from the start
+  double farthest = 0; // largest distance from the start
 };
 
 // Maps vertices and centroids of the source to the target and back.
@@ -195,20 +204,20 @@ int run(const Options& options, const Results& results)
   if(!has_mesh || inner == CANNOT_WRITE || outer == CANNOT_WRITE) return CANNOT_WRITE;
 
   printer.show("simplification");
-  constexpr double least_seconds = 1e-3; // limits are positive
+  constexpr double least_seconds = 1e-3; // time limits must be positive
   Mesh coarse = found.mesh();
   const double seconds_left = (std::max)(options.seconds - shell_seconds, least_seconds);
   const BS::Facet_count_stop_predicate stop(options.facets);
   const auto simplified = BS::simplify_in_shell(coarse, shell, BS::parameters::stop(stop).time_limit(seconds_left));
   printer.clear();
   if(!simplified) {
-    complain(message(simplified.status), simplified.offending_simplices);
+    complain(simplified.message(), simplified.offending_simplices);
     if(simplified.status == BS::Edit_status::NOT_CERTIFIED) list_witnesses(simplified.certificate);
     return NOT_SIMPLIFIED;
   }
   coarse.collect_garbage();
 
-  // Transfer attributes to the vertices of the coarse mesh, and to many points of its facets.
+  // Transfer attributes to the vertices of the coarse mesh, and to many points on its facets.
   timer.reset();
   Mesh detail = coarse;
   while(detail.number_of_faces() < 100000) CGAL::Subdivision_method_3::PTQ(detail, Flat_mask{ &detail }, 1);
@@ -238,18 +247,16 @@ int run(const Options& options, const Results& results)
   print_repairs(found.repairs);
   if(found.proxy) print_reason(found);
   row("mesh") << mesh.number_of_faces() << " facets, " << name(found.kind()) << "\n";
-  row("shell") << "certified; " << 100 * shell.relative_thickness() << " % of the box thick; " << shell.report().cells
-               << " cells; " << shell_seconds << " s\n";
-  row("simplified") << simplified.facets << " facets, "
-                    << 100. * double(simplified.facets) / double(simplified.facets_before) << " %; certified; "
+  row("shell") << "certified; thickness " << 100 * shell.relative_thickness() << " % of the bounding box; "
+               << shell.report().cells << " cells; " << shell_seconds << " s\n";
+  row("simplified") << simplified.facets << " facets ("
+                    << 100. * double(simplified.facets) / double(simplified.facets_before) << " %); certified; "
                     << simplified.total_seconds() << " s\n";
   if(options.facets > 0 && simplified.facets > options.facets) row("") << message(simplified.end) << "\n";
-  row("carried over") << "distance and color at " << coarse.number_of_vertices() << " vertices, color at "
-                      << detail.number_of_vertices() << " points; "
-                      << (lost > 0 ? std::to_string(lost) + " are lost" : "none is lost") << "; " << transfer_seconds
-                      << " s\n";
-  row("round trip") << trip.points << " points, " << trip.lost << " lost; at most "
-                    << trip.farthest / shell.report().unit << " of the box from where they started\n";
+  row("transferred") << "distance and color at " << coarse.number_of_vertices() << " vertices, color at "
+                     << detail.number_of_vertices() << " points; " << lost << " lost; " << transfer_seconds << " s\n";
+  row("round trip") << trip.points << " points, " << trip.lost << " lost; maximum error "
+                    << trip.farthest / shell.report().unit << " of the longest side of the bounding box\n";
   return lost > 0 ? int(POINTS_LOST) : (std::max)(inner, outer);
 }
 

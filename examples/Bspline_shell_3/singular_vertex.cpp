@@ -1,5 +1,5 @@
-// Simplifies a mesh with a vertex whose facets face no common direction, and maps it to the result and back. The shell
-// is built around a truncated mesh, but the map is one-to-one from the input mesh.
+// Simplifies a mesh with a singular vertex, whose facets face no common direction, and maps its vertices to the result
+// and back. The shell is built around a truncated mesh, but the map is one-to-one from the input mesh.
 #include "example_files.h"
 
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
@@ -35,22 +35,23 @@ int main(int argc, char** argv)
   Mesh coarse = mesh;
   const auto result = BS::simplify_in_shell(coarse, shell);
   if(!result) {
-    std::cerr << BS::message(result.status) << std::endl;
+    std::cerr << result.message() << std::endl;
     return EXIT_FAILURE;
   }
   coarse.collect_garbage();
-  std::cout << result.facets_before << " facets before, " << result.facets << " now\n";
+  std::cout << "facets: " << result.facets_before << " before, " << result.facets << " after\n";
 
   const BS::Shell_map_3 map(shell, mesh, coarse);
   const auto inverse = map.inverse();
   double farthest = 0;
   for(auto v : mesh.vertices()) {
     const auto image = map(v);
+    if(!image) return EXIT_FAILURE;
     const auto back = inverse(image.location);
-    if(!image || !back) return EXIT_FAILURE;
+    if(!back) return EXIT_FAILURE;
     farthest = (std::max)(farthest, std::sqrt(CGAL::squared_distance(mesh.point(v), back.point)));
   }
-  std::cout << "vertices return to within " << farthest << "\n";
+  std::cout << "After the round trip, the error of vertices is at most " << farthest << ".\n";
 
   // the truncated mesh that was certified, for inspection
   Mesh truncated = mesh;

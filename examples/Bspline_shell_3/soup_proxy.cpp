@@ -1,6 +1,6 @@
-// Builds a certified shell around a clean proxy of polygons that intersect themselves, have gaps, or face both ways.
-// The proxy is simplified in it, and gets the parts and texture coordinates of the polygons. Its results are
-// transferred back.
+// Builds a proxy of polygons that intersect, have gaps, or are inconsistently oriented, with a certified shell.
+// Simplifies the proxy in the shell. Transfers the part numbers and texture coordinates of the polygons to the proxy,
+// and a scalar from the proxy back to the polygons.
 #include "broken_models.h"
 #include "example_files.h"
 
@@ -19,7 +19,7 @@
 typedef BS::Soup_proxy_3::Mesh Mesh;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel::Vector_2 Vector_2;
 
-// The texture coordinates of a corner of the soup's mesh, looked up by its polygon and point.
+// A property map with the texture coordinates of the corners of the soup's mesh, found by polygon and point.
 struct Texture_of_corner
 {
   typedef Mesh::Halfedge_index key_type;
@@ -54,21 +54,21 @@ int main(int argc, char** argv)
   std::cout << proxy.message() << "\n";
   if(!proxy.is_certified()) return EXIT_FAILURE;
   const BS::Soup_shares shares = BS::sample_soup_shares(proxy.map());
-  std::cout << model.soup.polygons.size() << " polygons, " << proxy.mesh().number_of_faces() << " facets around them; "
-            << 100 * shares.carried << " % of the area is carried, " << 100 * shares.continued << " % continued, "
-            << 100 * shares.hidden << " % hidden\n";
+  std::cout << "polygons: " << model.soup.polygons.size() << "; facets of the proxy: " << proxy.mesh().number_of_faces()
+            << "\narea: " << 100 * shares.carried << " % carried along curves, " << 100 * shares.continued
+            << " % continued to the nearest point, " << 100 * shares.hidden << " % hidden\n";
 
-  // fewer facets, in the same shell
+  // Simplify the proxy in its shell.
   Mesh coarse = proxy.mesh();
   const auto simplified = BS::simplify_in_shell(coarse, proxy.shell(),
                                                 BS::parameters::stop(BS::Facet_count_stop_predicate(1000)));
   if(!simplified) {
-    std::cerr << BS::message(simplified.status) << std::endl;
+    std::cerr << simplified.message() << std::endl;
     return EXIT_FAILURE;
   }
   coarse.collect_garbage();
 
-  // from the polygons to the proxy
+  // Transfer part numbers and texture coordinates from the polygons to the proxy.
   const BS::Soup_mesh_3& soup = proxy.soup();
   const BS::Soup_proxy_3::Map map = proxy.map(coarse);
   Mesh soup_mesh = soup.mesh();
@@ -78,16 +78,16 @@ int main(int argc, char** argv)
   auto texture = coarse.add_property_map<Mesh::Halfedge_index, Vector_2>("h:texture").first;
   const BS::Transfer_report parts = BS::transfer_face_labels(map, part_of, part);
   const BS::Transfer_report corners = BS::transfer_corner_attribute(map, Texture_of_corner{ &model, &soup }, texture);
-  std::cout << simplified.facets << " facets after simplification; " << parts.failures.size() << " without a part, "
-            << corners.failures.size() << " without texture, " << corners.continued.size()
-            << " with texture from where nothing is proved\n";
+  std::cout << "facets after simplification: " << simplified.facets << "; " << parts.failures.size()
+            << " without a part, " << corners.failures.size() << " without texture, " << corners.continued.size()
+            << " with texture from the nearest point\n";
 
-  // back to the polygons: the height of the proxy
+  // Transfer a scalar from the proxy back to the polygons.
   auto height = coarse.add_property_map<Mesh::Vertex_index, double>("v:height", 0).first;
   for(auto v : coarse.vertices()) height[v] = coarse.point(v).z();
   auto height_of = soup_mesh.add_property_map<Mesh::Vertex_index, double>("v:height", 0).first;
   const BS::Transfer_report heights = BS::transfer_vertex_attribute(map.inverse(), height, height_of);
-  std::cout << heights.transferred << " points of the polygons have a value from the proxy, "
+  std::cout << "points of the polygons with a value from the proxy: " << heights.transferred << "; "
             << heights.continued.size() << " of them from its nearest point" << std::endl;
 
   return save("proxy.ply", coarse) && parts && corners && heights ? EXIT_SUCCESS : EXIT_FAILURE;

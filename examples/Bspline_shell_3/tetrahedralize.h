@@ -1,5 +1,5 @@
-// Fills a closed mesh with tetrahedra whose border triangles are those of the mesh: by TetGen if HAVE_TETGEN is
-// defined, or by Gmsh if HAVE_GMSH is.
+// Fills a closed mesh with tetrahedra whose boundary triangles are those of the mesh: by TetGen if HAVE_TETGEN is
+// defined, or by Gmsh if HAVE_GMSH is defined.
 //
 // The licenses of these third-party libraries apply to every program that is linked with them. TetGen is under the
 // AGPL, version 3 (Debian: libtet1.5-dev), Gmsh under the GPL, version 2 or later (Debian: libgmsh-dev).
@@ -33,17 +33,17 @@ struct Tetrahedra
 {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
 
-  std::vector<Point> points;                      // begin with those of the mesh, in its order
+  std::vector<Point> points;                      // the first ones are those of the mesh, in its order
   std::vector<std::array<std::size_t, 4> > cells; // positively oriented; empty after an error
-  std::string error;                              // the error, or why the border is not the mesh
+  std::string error;                              // the error, or why the boundary is not the mesh
 
   explicit operator bool() const { return error.empty(); }
 };
 
 typedef CGAL::Surface_mesh<Tetrahedra::Point> Surface;
 
-// Returns whether the border facets of the tetrahedra are those of the mesh, with their orientation, and the points are
-// those of the mesh in every bit. For meshes with cavities, this is false: both generators fill cavities.
+// Returns whether the boundary facets of the tetrahedra are those of the mesh, with the same orientation, and its
+// points are the first points, bit for bit. For meshes with cavities, this is false: both generators fill cavities.
 inline bool conforms(const Tetrahedra& tetrahedra, const Surface& mesh)
 {
   typedef std::array<std::size_t, 3> Facet;
@@ -92,7 +92,7 @@ inline Tetrahedra checked(Tetrahedra tetrahedra, const Surface& mesh)
     if(CGAL::orientation(p[a], p[b], p[c], p[d]) == CGAL::NEGATIVE) std::swap(c, d);
   }
   if(tetrahedra.error.empty() && !conforms(tetrahedra, mesh))
-    tetrahedra.error = "The border of the tetrahedra is not the mesh.";
+    tetrahedra.error = "The border of the tetrahedra differs from the mesh.";
   return tetrahedra;
 }
 

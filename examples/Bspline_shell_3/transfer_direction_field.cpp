@@ -1,6 +1,6 @@
-// Transfers the smoothest field of directions (1: vectors, 2: lines, 4: crosses) to the mesh simplified in its shell,
-// and back. Compares singularities of both meshes, and measures the mean angle by which the field has changed there and
-// back.
+// Computes the smoothest direction field of a mesh (1: vectors, 2: lines, 4: crosses), and transfers it to the mesh
+// simplified in its shell and back. Compares the singularities on both meshes, and measures the mean angle between the
+// field before and after the round trip.
 #include "direction_field.h"
 #include "example_files.h"
 
@@ -35,7 +35,8 @@ int sum_of_indices(const std::vector<Singularity>& singularities)
                          [](int sum, const Singularity& s) { return sum + s.index; });
 }
 
-// Returns how many of the singularities `before` have a separate one with the same index at the facet of their image.
+// Returns how many of the singularities `before` can be matched one-to-one with a singularity of the same index at the
+// facet of their image.
 std::size_t number_found(const Map& map, const std::vector<Singularity>& before, std::vector<Singularity> after)
 {
   std::size_t found = 0;
@@ -53,7 +54,7 @@ std::size_t number_found(const Map& map, const std::vector<Singularity>& before,
   return found;
 }
 
-// Writes the mesh with the field's coordinates and the indices of singularities.
+// Writes the mesh with the coordinates of the field and the indices of singularities.
 bool write(const std::string& file, Mesh& mesh, Vectors field, const std::vector<Singularity>& singularities)
 {
   for(int i = 0; i < 3; ++i) {
@@ -70,17 +71,19 @@ int main(int argc, char** argv)
 {
   std::string file;
   int directions = 4, facets = 0;
-  const Arguments arguments = Arguments("Usage: transfer_direction_field MESH [DIRECTIONS, default 4] "
-                                        "[FACETS, default: as few as the shell allows]\n")
+  const Arguments arguments = Arguments("Usage: transfer_direction_field MESH [DIRECTIONS [FACETS]]\n"
+                                        "  DIRECTIONS: 1 for vectors, 2 for lines, 4 for crosses (default 4)\n"
+                                        "  FACETS: target number of facets (default: as few as the shell allows)\n"
+                                        "  Writes direction_field.ply and direction_field_simplified.ply.\n")
                                 .required(file)
                                 .optional(directions)
                                 .optional(facets);
   if(const auto code = arguments.read(argc, argv)) return *code;
-  if(directions < 1) return *arguments.wrong("DIRECTIONS cannot be 0.");
+  if(directions < 1) return *arguments.wrong("DIRECTIONS must be at least 1.");
   Mesh mesh;
   if(!read_mesh(file, mesh)) return EXIT_FAILURE;
   if(!CGAL::is_closed(mesh)) {
-    std::cerr << "The mesh is not closed." << std::endl;
+    std::cerr << "The mesh is open: close its holes." << std::endl;
     return EXIT_FAILURE;
   }
   const Shell shell = CGAL::certified_bspline_shell_3(mesh);
@@ -92,7 +95,7 @@ int main(int argc, char** argv)
   const auto result = BS::simplify_in_shell(coarse, shell,
                                             BS::parameters::stop(BS::Facet_count_stop_predicate(std::size_t(facets))));
   if(!result) {
-    std::cerr << BS::message(result.status) << std::endl;
+    std::cerr << result.message() << std::endl;
     return EXIT_FAILURE;
   }
   coarse.collect_garbage();
@@ -100,7 +103,7 @@ int main(int argc, char** argv)
   const Vectors field = vectors(mesh, "f:field"), back = vectors(mesh, "f:back"), there = vectors(coarse, "f:field");
   const Direction_field_space on_mesh(mesh, directions), on_coarse(coarse, directions);
   if(!on_mesh.find_smoothest(field)) {
-    std::cerr << "The field could not be computed." << std::endl;
+    std::cerr << "The smoothest field could not be computed: choose another MESH." << std::endl;
     return EXIT_FAILURE;
   }
   const Map map(shell, mesh, coarse);
@@ -118,12 +121,12 @@ int main(int argc, char** argv)
   const std::size_t found = number_found(map, before, after);
   double angles = 0;
   for(Mesh::Face_index f : mesh.faces()) angles += on_mesh.angle(f, field, back) / double(mesh.number_of_faces());
-  std::cout << "facets: " << result.facets_before << " before, " << result.facets << " now\n"
-            << "singularities: " << before.size() << " before, " << after.size() << " now; " << found
+  std::cout << "facets: " << result.facets_before << " before, " << result.facets << " after\n"
+            << "singularities: " << before.size() << " before, " << after.size() << " after; " << found
             << " of them at their images\n"
             << "sum of indices: " << sum_of_indices(before) << "/" << directions << " before, " << sum_of_indices(after)
-            << "/" << directions << " now\n"
-            << "there and back: " << angles << " degrees in the mean\n";
+            << "/" << directions << " after\n"
+            << "mean error after the round trip: " << angles << " degrees\n";
   const bool are_written = write("direction_field.ply", mesh, field, before)
                            && write("direction_field_simplified.ply", coarse, there, after);
   return are_written ? EXIT_SUCCESS : EXIT_FAILURE;

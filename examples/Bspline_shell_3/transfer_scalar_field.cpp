@@ -22,7 +22,7 @@ int main(int argc, char** argv)
     color[v] = std::sin(30 * height[v] / shell.report().unit) > 0 ? CGAL::IO::red() : CGAL::IO::white();
   }
 
-  // The map caches its search structures for any number of transfers, in both directions.
+  // The map can be used for any number of transfers, in both directions.
   const BS::Shell_map_3<Shell, Mesh> map(shell, mesh, moved);
   auto height_on_moved = moved.add_property_map<Mesh::Vertex_index, double>("v:height").first;
   auto color_on_moved = moved.add_property_map<Mesh::Vertex_index, CGAL::IO::Color>("v:color").first;
@@ -30,11 +30,12 @@ int main(int argc, char** argv)
      || !is_complete(BS::transfer_vertex_attribute(map, color, color_on_moved)))
     return EXIT_FAILURE;
 
-  // The error of a coordinate is at most the displacement of points, which is bounded by the shell.
+  // The heights of a point and its image differ by at most their distance, which the certificate bounds.
   double largest = 0;
   for(Mesh::Vertex_index v : moved.vertices())
     largest = (std::max)(largest, std::abs(height_on_moved[v] - moved.point(v).z()));
-  const double bound = shell.thickness() / shell.report().certificate.least_gradient;
-  std::cout << "heights are those of points at most " << bound << " away, and differ by up to " << largest << std::endl;
+  const double bound = shell.report().certificate.displacement_bound;
+  std::cout << "The largest error of a height is " << largest << "; the bound on the displacement is " << bound << "."
+            << std::endl;
   return save("transfer_scalar_field.ply", moved) && largest <= bound ? EXIT_SUCCESS : EXIT_FAILURE;
 }

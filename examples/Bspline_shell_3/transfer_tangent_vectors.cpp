@@ -35,9 +35,10 @@ int main(int argc, char** argv)
   for(Mesh::Face_index f : moved.faces())
     off_plane = (std::max)(off_plane,
                            std::abs(wind_on_moved[f] * CGAL::Polygon_mesh_processing::compute_face_normal(f, moved)));
-  // There and back is not exactly the identity: each facet has one vector, and centroids are not mapped to centroids.
+  // The round trip is not the identity: each facet has one vector, and centroids are not mapped to centroids.
   for(Mesh::Face_index f : mesh.faces()) change = (std::max)(change, std::sqrt((back[f] - wind[f]).squared_length()));
-  std::cout << "the images are in the planes of their facets, up to " << off_plane
-            << "\nthere and back again, vectors of length 1 and less change by up to " << change << std::endl;
+  std::cout << "The images leave the planes of their facets by at most " << off_plane
+            << ".\nAfter the round trip, vectors of length 1 or less have changed by at most " << change << "."
+            << std::endl;
   return off_plane < 1e-8 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -9,7 +9,7 @@
 
 typedef Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> Texture_coordinates;
 
-// Wraps a texture around the z-axis, from 0 to 1. Each facet that crosses the seam is on one side of it.
+// Wraps a texture around the z-axis, from 0 to 1. A facet that crosses the seam gets the coordinates of one side.
 void wrap_around_axis(const Mesh& mesh, Texture_coordinates uv)
 {
   for(Mesh::Face_index f : mesh.faces()) {
@@ -65,8 +65,8 @@ int main(int argc, char** argv)
   const BS::Transfer_report report = BS::transfer_corner_attribute(BS::Shell_map_3<Shell, Mesh>(shell, mesh, moved), uv,
                                                                    uv_on_moved);
   if(!is_complete(report)) return EXIT_FAILURE;
-  std::cout << report.transferred << " facets have texture coordinates, " << report.facets_across_seams.size()
-            << " of them lie across seams\nlongest edge in the texture: " << longest_edge(mesh, uv) << " before, "
+  std::cout << report.transferred << " facets have texture coordinates; " << report.facets_across_seams.size()
+            << " of them lie across seams.\nlongest edge in the texture: " << longest_edge(mesh, uv) << " before, "
             << longest_edge(moved, uv_on_moved) << " after" << std::endl;
   return write("texture_before.obj", mesh, uv) && write("texture_after.obj", moved, uv_on_moved) ? EXIT_SUCCESS
                                                                                                  : EXIT_FAILURE;

@@ -21,72 +21,74 @@ namespace CGAL {
 /*!
  * \ingroup PkgBsplineShell3Ref
  *
- * \brief builds a cubic B-spline shell of a closed mesh.
+ * \brief builds a cubic B-spline shell of a closed mesh on equal cells, without a certificate.
  *
- * The mesh is checked first. Invalid meshes are rejected with a status and the offending simplices. Polygonal facets
- * are triangulated. The field is defined on the cells that the mesh intersects and on some rings of cells around them.
- * Its coefficients minimize the paper's energy. The two levels enclose the field's values on the mesh and are rounded
- * outwards.
+ * First, the mesh is checked: an invalid mesh is rejected, and the report lists the facets or vertices at fault.
+ * Polygonal facets are triangulated. Then a smooth function \f$f\f$, the *field*, is fitted to the signed distance, on
+ * the cells that the mesh intersects and on layers of cells around them; its coefficients minimize the energy of
+ * `Bspline_shells::Energy_weights`. Two constant thresholds enclose the values of \f$f\f$ on the mesh.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam PolygonMesh a model of `FaceListGraph`
- * \tparam NamedParameters a sequence of named parameters that begins in `CGAL::Bspline_shells::parameters` or
- *   `CGAL::parameters`
+ * \tparam NamedParameters a sequence of \ref BsplineShell3NamedParameters "named parameters"
  *
- * \param mesh the mesh; its facets may be oriented either way, and the field increases in the direction that they face
+ * \param mesh a closed, consistently oriented mesh; the field increases in the direction of the normals of its facets
  * \param np optional named parameters:
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{resolution}
- *       \cgalParamDescription{the paper's \f$\gamma\f$: the number of cells per longest side of the mesh's bounding
- *         box}
+ *       \cgalParamDescription{number of cells along the longest side of the mesh's bounding box}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{50}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{grid_spacing}
- *       \cgalParamDescription{edge length of a cell in user units, used instead of `resolution`}
+ *       \cgalParamDescription{edge length of a cell in the units of the coordinates, used instead of `resolution`}
  *       \cgalParamType{`double`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{number_of_rings}
- *       \cgalParamDescription{rings of cells around the cells that the mesh intersects. By default two; rings are added
- *         up to five times if the shell would leave the cells.}
+ *       \cgalParamDescription{number of layers of cells around the cells that the mesh intersects}
  *       \cgalParamType{`int`}
+ *       \cgalParamDefault{2; if the shell reaches the boundary of the cells, layers are added there, up to five times}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{dense_grid}
- *       \cgalParamDescription{if `true`, all cells of the mesh's bounding box and some rings around it are used, as in
- *         the paper (whose energy is `Energy_weights::paper()`)}
+ *       \cgalParamDescription{if `true`, all cells of the mesh's bounding box and the layers around it are used}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{energy_weights}
- *       \cgalParamDescription{by default the paper's \f$\mu\f$ and \f$\zeta\f$, without \f$E_{singularH}\f$}
+ *       \cgalParamDescription{weights of the terms of the energy}
  *       \cgalParamType{`Bspline_shells::Energy_weights`}
+ *       \cgalParamDefault{`mu` = 0.1, `zeta` = 1e5, all others 0}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{spd_solver}
- *       \cgalParamDescription{a model of `SPDSolver`. Pass `std::ref(solver)` to inspect it afterwards.}
+ *       \cgalParamDescription{the linear solver, which is copied unless it is passed by `std::ref()`}
+ *       \cgalParamType{a model of `SPDSolver`}
  *       \cgalParamDefault{`Bspline_shells::Conjugate_gradient_solver`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{signed_distance_oracle}
- *       \cgalParamDescription{a model of `SignedDistanceOracle_3`, used instead of the distance to the mesh. Pass
- *         `std::cref(oracle)` to avoid a copy.}
+ *       \cgalParamDescription{a function used instead of the signed distance to the mesh; it is copied unless it is
+ *         passed by `std::cref()`}
+ *       \cgalParamType{a model of `SignedDistanceOracle_3`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{memory_limit}
- *       \cgalParamDescription{approximate number of bytes that the construction may use; unlimited by default}
+ *       \cgalParamDescription{approximate number of bytes that the construction may use}
  *       \cgalParamType{`double`}
+ *       \cgalParamDefault{infinite}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{time_limit}
  *       \cgalParamDescription{seconds after which the construction ends with the status `TIME_LIMIT_EXCEEDED` and
- *         without a shell; unlimited by default}
+ *         without a shell}
  *       \cgalParamType{`double`}
+ *       \cgalParamDefault{infinite}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{allow_self_intersections}
- *       \cgalParamDescription{if `true`, self-intersecting meshes are accepted. The side of a point is then that of its
- *         closest facet.}
+ *       \cgalParamDescription{if `true`, self-intersecting meshes are accepted; the sign of the distance at a point is
+ *         then that of its closest facet}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{allow_singular_vertices}
- *       \cgalParamDescription{if `true`, meshes with singular vertices are accepted. The side of a point is then that
- *         of its closest facet.}
+ *       \cgalParamDescription{if `true`, meshes with singular vertices are accepted: vertices whose facets face no
+ *         common direction}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
@@ -96,17 +98,22 @@ namespace CGAL {
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
- *       \cgalParamDescription{a model of `ShellVisitor`. Pass `std::ref(visitor)` to keep its state.}
+ *       \cgalParamDescription{receives the progress and can cancel the construction; it is copied unless it is passed
+ *         by `std::ref()`}
+ *       \cgalParamType{a model of `ShellVisitor`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{vertex_point_map}
- *       \cgalParamDescription{as in other \cgal packages}
+ *       \cgalParamDescription{a property map from the vertices of `mesh` to their points}
+ *       \cgalParamType{a model of `ReadablePropertyMap`}
+ *       \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
  *
- * \return a shell that is proved to contain the mesh, or no shell and the reason (`Bspline_shell_3::status()`). If a
- *   parameter is invalid, `Shell_report::invalid_parameter` contains its name and bounds.
+ * \return the shell, which is proved to contain the mesh. If none was built, the returned object converts to `false`,
+ *   and `Bspline_shell_3::status()` is the reason. If a parameter is invalid, `Shell_report::invalid_parameter`
+ *   contains its name and bounds.
  * \cgalHeading{Cost} Time and memory grow with the number of cells, which is about proportional to the square of the
- *   resolution.
+ *   resolution, or to its cube with `dense_grid`.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename PolygonMesh,
           typename CGAL_NP_TEMPLATE_PARAMETERS>

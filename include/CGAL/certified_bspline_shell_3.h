@@ -27,73 +27,79 @@ namespace CGAL {
 /*!
  * \ingroup PkgBsplineShell3Ref
  *
- * \brief builds a certified cubic B-spline shell of a mesh.
+ * \brief builds a cubic B-spline shell of a mesh, and refines it until it is certified or a limit is reached.
  *
- * An open mesh is closed first, by triangles that the shell stores (`Bspline_shell_3::closing()`): caps of its holes,
- * or a sheet behind it. These triangles are certified too, but they are not part of any result. Maps, edits and
- * certificates take open meshes with the same border, which they do not change.
+ * First, the mesh is checked: an invalid mesh is rejected, and the report lists the facets or vertices at fault.
+ * Polygonal facets are triangulated. An open mesh is closed internally, by triangles that the shell stores
+ * (`Bspline_shell_3::closing()`): caps of its holes, or a sheet behind it. These triangles are certified with the mesh,
+ * but they are not part of any output. Maps, edits, and certificates accept every mesh with the same border; edits do
+ * not change the border.
  *
- * The mesh is checked first. Invalid meshes are rejected with a status and the offending simplices. Polygonal facets
- * are triangulated. A field is fitted on coarse cells around the mesh. Cells are halved where the field on the mesh is
- * too large for the requested thickness, and where the certificate fails. Refinement ends when all claims are proved,
- * when it no longer helps, or when a limit is reached (`Certified_refinement`). The thresholds are half the thickness
- * away from the mesh, and closer at thin parts and narrow gaps.
+ * Then a smooth function \f$f\f$, the *field*, is fitted to the signed distance on coarse cells around the mesh. Cells
+ * are split where \f$|f|\f$ is too large on the mesh for the requested thickness, and where the certificate fails.
+ * Refinement ends when all claims are proved, when it no longer helps, or when a limit is reached;
+ * `Bspline_shells::Shell_report::refinement` is the reason. The thresholds are values of \f$f\f$: minus and plus half
+ * the requested thickness, and closer to zero at thin parts and narrow gaps.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam PolygonMesh a model of `FaceListGraph`
- * \tparam NamedParameters a sequence of named parameters that begins in `CGAL::Bspline_shells::parameters` or
- *   `CGAL::parameters`
+ * \tparam NamedParameters a sequence of \ref BsplineShell3NamedParameters "named parameters"
  *
- * \param mesh the mesh; its facets may be oriented either way, and the field increases in the direction that they face
+ * \param mesh a consistently oriented mesh; the field increases in the direction of the normals of its facets
  * \param np optional named parameters:
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{relative_thickness}
- *       \cgalParamDescription{the largest thickness of the shell, as a fraction of the longest side of the mesh's
- *         bounding box; positive, and less than 20 root cells}
+ *       \cgalParamDescription{the largest thickness of the shell, as a fraction of the *box size*, the length of the
+ *         longest side of the mesh's bounding box; positive, and less than 20 root cells}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{0.01}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{thickness}
- *       \cgalParamDescription{the largest thickness in user units, used instead of `relative_thickness`; same bounds}
+ *       \cgalParamDescription{the largest thickness in the units of the coordinates, used instead of
+ *         `relative_thickness`; same bounds}
  *       \cgalParamType{`double`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{sizing}
- *       \cgalParamDescription{a function that returns the thickness near a point in user units, used instead of
- *         `relative_thickness`; its values must be positive and finite. Several threads call it concurrently, unless
- *         `ConcurrencyTag` is `Sequential_tag`.}
+ *       \cgalParamDescription{a function that returns the largest thickness near a point in the units of the
+ *         coordinates, used instead of `relative_thickness` and `thickness`; its values must be positive and finite.
+ *         Unless `ConcurrencyTag` is `Sequential_tag`, it is called concurrently.}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{constant_thresholds}
- *       \cgalParamDescription{if `true`, the two thresholds are constant and as tight as possible, as in the paper.
- *         Thin parts and narrow gaps then require a thinner shell and smaller cells everywhere.}
+ *       \cgalParamDescription{if `true`, the two thresholds are constant and as tight as possible. Thin parts and
+ *         narrow gaps then require a thinner shell and smaller cells everywhere.}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{resolution}
- *       \cgalParamDescription{number of root cells per longest side of the mesh's bounding box; positive. By default
- *         30, or 24 or 20 if most of the mesh is nearly flat in wider cells (`Bspline_shells::choose_resolution()`) and
- *         `sizing` is not given.}
+ *       \cgalParamDescription{number of cells along the longest side of the mesh's bounding box before any cell is
+ *         split (*root cells*); positive}
  *       \cgalParamType{`double`}
+ *       \cgalParamDefault{30, or 24 or 20 if most of the mesh is nearly flat in wider cells
+ *         (`Bspline_shells::choose_resolution()`) and `sizing` is not given}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{time_limit}
  *       \cgalParamDescription{seconds after which the construction ends with the status `TIME_LIMIT_EXCEEDED` and
- *         without a shell; unlimited by default. A limit that is not reached does not affect the shell. The limit also
- *         applies within each step, but the caller's own solver, oracle and sizing field are not interrupted.}
+ *         without a shell. A limit that is not reached does not affect the shell. User-supplied solvers, oracles, and
+ *         sizing fields are not interrupted.}
  *       \cgalParamType{`double`}
+ *       \cgalParamDefault{infinite}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{effort_limit}
  *       \cgalParamDescription{the total number of cells that may be fitted in all rounds of refinement. After the first
- *         round, no round begins that would exceed it. The default is 1.5e6, which takes about a minute on two cores.
- *         Unlike a time limit, it yields the same shell on every machine.}
+ *         round, a round that would exceed it does not begin. Unlike a time limit, it yields the same shell on every
+ *         machine; the default takes about a minute on two cores.}
  *       \cgalParamType{`double`}
+ *       \cgalParamDefault{1.5e6}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{memory_limit}
- *       \cgalParamDescription{approximate number of bytes above which no new round begins. If the first round would
- *         exceed it by far, the status is `MEMORY_LIMIT_EXCEEDED`.}
+ *       \cgalParamDescription{approximate number of bytes. After the first round, a round that would need more does not
+ *         begin. If the root cells that the mesh enters need more, there is no shell, and the status is
+ *         `MEMORY_LIMIT_EXCEEDED`.}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{4e9}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{virtual_closing}
- *       \cgalParamDescription{whether open meshes are closed; otherwise they are rejected}
+ *       \cgalParamDescription{whether open meshes are closed; otherwise, they are rejected}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`true`}
  *     \cgalParamNEnd
@@ -103,10 +109,11 @@ namespace CGAL {
  *       \cgalParamType{`Shell_closing_3`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{truncate}
- *       \cgalParamDescription{whether tips of the mesh are replaced (`Bspline_shell_3::truncation()`) if their facets
- *         face no common direction, or nearly none; default `true`. Meshes are not truncated if self-intersections are
- *         allowed.}
+ *       \cgalParamDescription{whether small discs replace the tips of the mesh internally
+ *         (`Bspline_shell_3::truncation()`) at vertices with a small cone margin. Meshes are not truncated if
+ *         self-intersections are allowed.}
  *       \cgalParamType{`bool`}
+ *       \cgalParamDefault{`true`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{least_cone_margin}
  *       \cgalParamDescription{vertices with a smaller `Bspline_shells::vertex_cone_margin()` are truncated; at least 0
@@ -115,39 +122,50 @@ namespace CGAL {
  *       \cgalParamDefault{0.01}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{energy_weights}
- *       \cgalParamDescription{weights of the energy terms}
+ *       \cgalParamDescription{weights of the terms of the energy that the field minimizes}
  *       \cgalParamType{`Bspline_shells::Energy_weights`}
- *       \cgalParamDefault{`Bspline_shells::Refinement_parameters::weights`, not those of `bspline_shell_3()`}
+ *       \cgalParamDefault{`normal` = 10, `surface` = 100, `coefficients` = 0.012, `mu` = 0, `singular_hessian` = 0}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{spd_solver}
- *       \cgalParamDescription{as for `bspline_shell_3()`}
+ *       \cgalParamDescription{the linear solver, which is copied unless it is passed by `std::ref()`}
+ *       \cgalParamType{a model of `SPDSolver`}
  *       \cgalParamDefault{`Bspline_shells::Conjugate_gradient_solver` with a tolerance of 1e-4}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{signed_distance_oracle}
- *       \cgalParamDescription{as for `bspline_shell_3()`}
+ *       \cgalParamDescription{a function used instead of the signed distance to the mesh; it is copied unless it is
+ *         passed by `std::cref()`}
+ *       \cgalParamType{a model of `SignedDistanceOracle_3`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{allow_self_intersections}
- *       \cgalParamDescription{as for `bspline_shell_3()`}
+ *       \cgalParamDescription{if `true`, self-intersecting meshes are accepted; the sign of the distance at a point is
+ *         then that of its closest facet}
  *       \cgalParamType{`bool`}
+ *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{allow_singular_vertices}
- *       \cgalParamDescription{as for `bspline_shell_3()`}
+ *       \cgalParamDescription{if `true`, meshes are accepted although the facets at some vertices face no common
+ *         direction}
  *       \cgalParamType{`bool`}
+ *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
- *       \cgalParamDescription{as for `bspline_shell_3()`}
+ *       \cgalParamDescription{receives the progress and can cancel the construction; it is copied unless it is passed
+ *         by `std::ref()`}
+ *       \cgalParamType{a model of `ShellVisitor`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{vertex_point_map}
- *       \cgalParamDescription{as for `bspline_shell_3()`}
+ *       \cgalParamDescription{a property map from the vertices of `mesh` to their points}
+ *       \cgalParamType{a model of `ReadablePropertyMap`}
+ *       \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
  *
- * \return a shell that is proved to contain the mesh, or no shell and the reason (`Bspline_shell_3::status()`). If a
+ * \return the shell, which is proved to contain the mesh, but not necessarily certified
+ *   (`Bspline_shell_3::is_certified()`); `Bspline_shell_3::message()` and the report give the reason if it is not. If
+ *   no shell was built, the returned object converts to `false`, and `Bspline_shell_3::status()` is the reason. If a
  *   parameter is invalid, `Shell_report::invalid_parameter` contains its name and bounds.
- *   `Bspline_shell_3::is_certified()` returns whether the shell is certified; `Bspline_shell_3::message()` and the
- *   report give the reason if it is not.
- * \cgalHeading{Cost} Linear in the number of facets and in the number of cells. Most cells are small and lie along
- *   creases and thin parts.
+ * \cgalHeading{Cost} Time and memory are about linear in the number of facets and in the number of cells, most of which
+ *   are small and lie along creases and thin parts.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename PolygonMesh,
           typename CGAL_NP_TEMPLATE_PARAMETERS>

@@ -30,21 +30,19 @@ namespace CGAL {
 /*!
  * \ingroup PkgBsplineShell3Ref
  *
- * \brief builds a certified shell of a polygon soup.
+ * \brief builds a certified shell of the mesh that a polygon soup represents, or of a proxy mesh around the soup.
  *
- * If the polygons form a mesh, the shell is that of the mesh, after small repairs (`Bspline_shells::repair_soup()`)
- * and, for an open mesh, a virtual closing. Otherwise, or if that shell is not certified, it is the shell of a proxy
- * (`certified_soup_proxy_3()`).
+ * The polygons are repaired (`Bspline_shells::repair_soup()`). If they then form a mesh, a shell of this mesh is built,
+ * with a virtual closing if the mesh is open. If they do not, or if this shell is not certified, a proxy is built with
+ * its shell (`certified_soup_proxy_3()`).
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
- * \tparam NamedParameters a sequence of named parameters that begins in `CGAL::Bspline_shells::parameters` or
- *   `CGAL::parameters`
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
+ * \tparam NamedParameters a sequence of \ref BsplineShell3NamedParameters "named parameters"
  * \param soup the polygons, as returned by `Bspline_shells::read_polygon_soup()`
  * \param np optional named parameters: those of `certified_soup_proxy_3()` and, for the shell of the mesh, those of
  *   `certified_bspline_shell_3()`. The `time_limit()` applies to the mesh and the proxy together; once it is reached,
  *   no further attempt begins. Limits of effort and memory apply to each attempt.
- * \return the shell and its kind. If neither the mesh nor the proxy has a certified shell, the uncertified shell of the
- *   mesh is returned, if there is one.
+ * \return the shell and its kind. If neither shell is certified, the shell of the mesh is returned if it was built.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::Polygon_soup& soup,

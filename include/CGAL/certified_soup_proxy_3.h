@@ -33,54 +33,57 @@ namespace CGAL {
 /*!
  * \ingroup PkgBsplineShell3Ref
  *
- * \brief builds a clean proxy of a polygon soup, with a certified shell.
+ * \brief builds a closed mesh around a polygon soup (a *proxy*), and a certified shell of it.
  *
  * The soup need not be a surface: it may intersect itself, have gaps, and be non-manifold or not oriented.
  *
- * The proxy is a closed mesh around the soup (`CGAL::alpha_wrap_3()`). Each point of the soup that lies in the shell
- * has one image on the proxy, and the proxy receives the attributes of the parts of the soup that it sees
- * (`Bspline_shells::Soup_map_3`). Like any mesh in its shell, the proxy can be simplified, remeshed and used for
+ * The proxy is the result of `CGAL::alpha_wrap_3()`. Each point of the soup that lies in the shell has one image on the
+ * proxy. The proxy receives the attributes of the parts of the soup that integral curves reach from it
+ * (`Bspline_shells::Soup_map_3`). Like any mesh in its shell, the proxy can be simplified, remeshed, and used for
  * computations.
  *
- * Parts that the proxy does not see, such as inner parts and gaps narrower than `alpha`, are not represented on it. The
- * points of a sheet without thickness are equally close to both sides of the proxy, and hence too far from it for the
- * shell. Points outside the shell are mapped to the closest point of the proxy, and these images are marked.
+ * Parts that are not visible from the proxy, such as inner parts and gaps narrower than `alpha`, are not represented on
+ * it. A surface without thickness lies in the middle between two sides of the proxy, where the shell does not reach.
+ * Points outside the shell are mapped to the closest point of the proxy, and these images are marked.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam PointRange a range of points of a \cgal kernel; coordinates are rounded to `double`s
- * \tparam PolygonRange a range of ranges of positions of points
- * \tparam NamedParameters a sequence of named parameters that begins in `CGAL::Bspline_shells::parameters` or
- *   `CGAL::parameters`
+ * \tparam PolygonRange a range of ranges of indices of points
+ * \tparam NamedParameters a sequence of \ref BsplineShell3NamedParameters "named parameters"
  * \param points the points
  * \param polygons the polygons
  * \param np optional named parameters:
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{alpha}
- *       \cgalParamDescription{width of the gaps and cavities that the proxy enters, user units}
+ *       \cgalParamDescription{width of the gaps and cavities that the proxy enters, in the units of the coordinates}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{1/50 of the longest side of the bounding box}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{offset}
- *       \cgalParamDescription{distance of the proxy from the soup, user units}
+ *       \cgalParamDescription{distance of the proxy from the soup, in the units of the coordinates}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{a quarter of `alpha`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{time_limit}
  *       \cgalParamDescription{seconds for all wraps and shells together, after which the status is
- *         `TIME_LIMIT_EXCEEDED`. The limit does not affect the choice of the proxy.}
+ *         `TIME_LIMIT_EXCEEDED`. A limit that is not reached does not affect the result.}
  *       \cgalParamType{`double`}
+ *       \cgalParamDefault{infinite}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
- *   All parameters of `certified_bspline_shell_3()` except `vertex_point_map`, `closing` and `virtual_closing` are
- *   accepted; a `signed_distance_oracle()` must be that of the proxy. Unless `sizing()` is given, the thickness is at
- *   least eight times the offset, but not raised above 19 root cells: half of it lies behind the proxy and must reach
- *   the soup in deep corners. If the proxy cannot be certified within the limits of memory, effort and rounds, a second
- *   one is built with twice the `alpha` and `offset`.
- * \return the proxy, or the reason why there is none and the offending polygons and points: `EMPTY_MESH`;
- *   `INVALID_PARAMETER`, also if a polygon refers to a point that does not exist; `NOT_FINITE`,
- *   `COORDINATES_OUT_OF_RANGE`; `DEGENERATE_FACET` if no polygon has an area; `GRID_TOO_FINE` if the offset is too
- *   small for the coordinates; `MEMORY_LIMIT_EXCEEDED`; and the statuses of `certified_bspline_shell_3()` for the proxy
- * \cgalHeading{Cost} The cost of the wrap plus that of its certified shell.
+ *   All parameters of `certified_bspline_shell_3()` except `vertex_point_map`, `closing`, and `virtual_closing` are
+ *   accepted. A `signed_distance_oracle()` would have to return the distance to the proxy, which does not exist before
+ *   the call, so the default is the right one. Unless `sizing()` is given, the thickness is increased to eight times
+ *   the offset, but not above 19 root cells. The inner half of the shell then reaches the soup in concave corners. If
+ *   the proxy cannot be certified within the limits of memory, effort, and rounds, a second proxy is built with twice
+ *   the `alpha` and `offset`.
+ * \return the proxy, or the reason why there is none and the polygons and points at fault:
+ *   - `EMPTY_MESH`, `NOT_FINITE`, `COORDINATES_OUT_OF_RANGE`;
+ *   - `INVALID_PARAMETER`, also if a polygon refers to a point that does not exist;
+ *   - `DEGENERATE_FACET` if no polygon has an area;
+ *   - `GRID_TOO_FINE` if the offset is too small for the coordinates;
+ *   - `MEMORY_LIMIT_EXCEEDED`, or another status of `certified_bspline_shell_3()` for the proxy.
+ * \cgalHeading{Cost} The cost of the wrap plus that of the shell.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename PointRange, typename PolygonRange,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -164,7 +167,7 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
     [&] {
       BS::Soup_proxy_3 proxy = attempt(1);
       if(is_final(proxy)) return proxy;
-      // Thinner parts of the proxy need more cells.
+      // A coarser proxy has thicker walls, which need fewer cells.
       BS::Soup_proxy_3 coarser = attempt(2 * last_scale);
       return is_final(coarser) || !proxy ? std::move(coarser) : std::move(proxy);
     },

@@ -88,7 +88,7 @@ Point random_point(std::mt19937_64& random)
 
 } // namespace
 
-TEST_CASE("intervals of the checker: sums, differences and products contain those of all ends")
+TEST_CASE("Intervals of the checker: sums, differences, products and quotients contain the exact results")
 {
   std::size_t wrong_sums = 0, wrong_differences = 0, wrong_products = 0, wrong_quotients = 0;
   for(const Interval& i : intervals())
@@ -106,7 +106,7 @@ TEST_CASE("intervals of the checker: sums, differences and products contain thos
   CHECK(wrong_quotients == 0);
 }
 
-TEST_CASE("intervals of the checker: they are no wider than rounding makes them")
+TEST_CASE("Intervals of the checker: results are no wider than rounding requires")
 {
   const Interval i(1, 2), j(-3, 5);
   CHECK((i + j).lo == down(-2.));
@@ -117,7 +117,7 @@ TEST_CASE("intervals of the checker: they are no wider than rounding makes them"
   CHECK((i * j).hi == up(10.));
 }
 
-TEST_CASE("intervals of the checker: a hull contains all of them, a rational number lies in its interval")
+TEST_CASE("Intervals of the checker: a hull contains all its intervals, and a rational number lies in its enclosure")
 {
   const Interval h = hull(std::vector<Interval>{ { 0, 1 }, { -2, -1 }, { 3, 4 } });
   CHECK(h.lo == -2);
@@ -132,13 +132,12 @@ TEST_CASE("intervals of the checker: a hull contains all of them, a rational num
   CHECK(wrong == 0);
 }
 
-TEST_CASE("intervals of the checker: the arithmetic of this machine is what they rely on")
+TEST_CASE("Intervals of the checker: the arithmetic of this machine meets their requirements")
 {
   CHECK(usable_arithmetic());
 }
 
-TEST_CASE("polynomials of the checker: a range on a triangle contains all values there, and not much else if the "
-          "triangle is small")
+TEST_CASE("Polynomials of the checker: the range on a triangle contains all values, and is narrow on small triangles")
 {
   std::mt19937_64 random(2);
   std::size_t wrong = 0, wide = 0;
@@ -167,7 +166,7 @@ TEST_CASE("polynomials of the checker: a range on a triangle contains all values
   CHECK(wide == 0);
 }
 
-TEST_CASE("polynomials of the checker: halves, differences, derivatives and half offsets are those of the polynomial")
+TEST_CASE("Polynomials of the checker: halves, differences, derivatives and half offsets agree with the polynomial")
 {
   std::mt19937_64 random(3);
   std::size_t wrong_halves = 0, wrong_differences = 0, wrong_derivatives = 0, wrong_offsets = 0;
@@ -197,8 +196,7 @@ TEST_CASE("polynomials of the checker: halves, differences, derivatives and half
   CHECK(wrong_offsets == 0);
 }
 
-TEST_CASE("polynomials of the checker: neighboring cells' coefficients agree on their common face, and a linear spline "
-          "is linear")
+TEST_CASE("Polynomials of the checker: adjacent cells agree on their common face, and a linear spline is linear")
 {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> number(-1, 1);

@@ -396,8 +396,8 @@ for name, word, shift in (("inner threshold raised at a vertex", 5, 0.5), ("oute
 thresholds("outer threshold raised at a vertex", change_at_mesh(6, 0.5), 1, "P3", "sc")
 thresholds("no room inside", all_thresholds(5, 0.01), 1, "P1", "sc")
 thresholds("far too thick", all_thresholds(6, 30), 1, "P3", "sc")
-thresholds("no coefficient of a threshold", lambda f: f.shell.__setitem__(6, f.shell[6].rsplit(" ", 1)[0]), 2, "a blank is expected", "sc")
-thresholds("thresholds taken for levels", lambda f: f.shell.__setitem__(2, "levels -1 1"), 2, "end where it should", "sc")
+thresholds("no coefficient of a threshold", lambda f: f.shell.__setitem__(6, f.shell[6].rsplit(" ", 1)[0]), 2, "expected a blank", "sc")
+thresholds("thresholds taken for levels", lambda f: f.shell.__setitem__(2, "levels -1 1"), 2, "expected the end of the line", "sc")
 
 
 # leaves of different sizes
@@ -555,7 +555,7 @@ for step in (1, 3, 5):
     add("another direction negated, %d" % step, negate_every(step), 1, "P3, box")
 add("direction turned by a right angle", box("g", tangential), 1, "P3, box")
 add("excluded box without a claim",
-    lambda f: f.words(f.certificate, f.excluded_next_to_cover(), lambda w: w.__setitem__(5, "o")), 1, "about which nothing is claimed")
+    lambda f: f.words(f.certificate, f.excluded_next_to_cover(), lambda w: w.__setitem__(5, "o")), 1, "for which there is no claim")
 
 
 def leaf_at_end_of_path(f):
@@ -583,7 +583,7 @@ def no_cover(f):
 
 add("leaf of the cover removed, and its boxes", lambda f: remove_leaf(f, f.section(f.shell, "leaves")[0] + 1 + leaf_at_end_of_path(f)), 1,
     "where the leaves end", "sc", has_no_facet_at_end_of_path)
-add("no cover", no_cover, 1, "its seed is in no cover box")
+add("no cover", no_cover, 1, "the seed is not in a cover box")
 add("all boxes of the cover excluded", lambda f: [f.certificate.__setitem__(i, " ".join(f.certificate[i].split()[:5] + ["x"]))
                                                   for i in f.boxes() if f.kind(i) in "gba"], 1, "P3, box")
 
@@ -614,13 +614,13 @@ def move_center(words):
     words[6:9] = ["%.17g" % (float(c) + 30 * x / size) for c, x in zip(words[6:9], offset)]
 
 
-add_critical("center moved", move_center, 1, "may have a critical point")
+add_critical("center moved", move_center, 1, "no critical point in the shell on the box")
 add_critical("center not a number", set_word(6, "nan"), 2, "finite")
-add_critical("critical points on the other side", lambda w: w.__setitem__(5, "ab"[w[5] == "a"]), 1, "may have a critical point")
-add_critical("critical points in a box that rises", lambda w: w.__setitem__(slice(5, 9), ["g", "1", "1", "1"]), 1, "does not rise")
+add_critical("critical points on the other side", lambda w: w.__setitem__(5, "ab"[w[5] == "a"]), 1, "no critical point in the shell on the box")
+add_critical("critical points in a box that rises", lambda w: w.__setitem__(slice(5, 9), ["g", "1", "1", "1"]), 1, "increases along the direction")
 add_critical("center left out", lambda w: w.__delitem__(slice(6, 9)), 2, "")
-add("box on the mesh with a center below", with_center("b"), 1, "may have a critical point")
-add("box on the mesh with a center above", with_center("a"), 1, "may have a critical point")
+add("box on the mesh with a center below", with_center("b"), 1, "no critical point in the shell on the box")
+add("box on the mesh with a center above", with_center("a"), 1, "no critical point in the shell on the box")
 
 
 # the path
@@ -722,7 +722,7 @@ several("two seeds of one component", lambda f: certificate_line(
 several("facets of paths exchanged", swap_words("paths", 1, 2), 1, "another component")
 several("path through the other component", swap_words("paths", 2, 8), 1, "does not cross its facet")
 several("path through the other component, and its facet", swap_words("paths", 1, 8), 1, "another component")
-several("one path missing", lambda f: (f.certificate.pop(), certificate_line("paths", 0, set_word(1, lambda n: n - 1))(f)), 1, "one path for each")
+several("one path missing", lambda f: (f.certificate.pop(), certificate_line("paths", 0, set_word(1, lambda n: n - 1))(f)), 1, "the number of paths")
 several("one path twice", lambda f: certificate_line("paths", 2, set_word(0, "0"))(f), 2, "out of range")
 several("a component of the cover too few", certificate_line("covers", 0, set_word(1, lambda n: n - 1)), 1, "P4")
 for c in (0, 1, 2):
@@ -791,7 +791,7 @@ def is_gradient_undecided(f):
 not_all("all verdicts raised", raise_verdicts, 1, "P", "c", lambda f: not f.are_all_proved())
 for n in range(1, 6):
     not_all("verdict %d raised" % n, raise_verdict(n), 1, "P", "c", is_unproved(n))
-not_all("undecided boxes with directions, and verdicts raised", directions_and_verdicts, 1, "more steeply", "c", is_gradient_undecided)
+not_all("undecided boxes with directions, and verdicts raised", directions_and_verdicts, 1, "faster than a threshold", "c", is_gradient_undecided)
 not_all("undecided boxes excluded, and verdicts raised", exclude_undecided, 1, "P3, box", "c", is_gradient_undecided)
 
 # the truncation, and the user's mesh
@@ -906,17 +906,17 @@ truncation("without the user's mesh", lambda f, t: setattr(f, "user", None), 0, 
 truncation("truncation as read", lambda f, t: None, 0, T_AND_A)
 
 # the numbers of cuts
-truncation("cut beyond its edge", set_cut(0, s=1.), 1, "T, cut 0: it is not between")
-truncation("cut before its edge", set_cut(0, s=-0.1), 1, "T, cut 0: it is not between")
-truncation("cut at its vertex", set_cut(0, s=0.), 1, "T, cut 0: it is not between")
-truncation("cut on an edge and off it", set_cut(0, t=1e-9), 1, "T, cut 0: whether it is on an edge")
-truncation("cut before its edge, sideways", set_cut(0, t=-1e-9), 1, "T, cut 0: it is not between")
-truncation("cut within a facet, but on its edge", set_cut(0, second=3), 1, "T, cut 0: whether it is on an edge")
-truncation("cut on an edge, but within one of its facets", set_cut(0, second=0, t=1e-9), 1, "T, facet 0: its parts do not end at its sides")
-truncation("cut within a facet, of another one", set_cut(0, second=12, t=0.01), 1, "is not in it")
-truncation("cut on another edge", set_cut(0, first=11), 1, "is not in it")
-truncation("cut between equal vertices", set_cut(0, first=1), 1, "between corners in another order")
-truncation("cut around another vertex", set_cut(0, center=6), 1, "is no cut around its center")
+truncation("cut beyond its edge", set_cut(0, s=1.), 1, "T, cut 0: the cut is not between")
+truncation("cut before its edge", set_cut(0, s=-0.1), 1, "T, cut 0: the cut is not between")
+truncation("cut at its vertex", set_cut(0, s=0.), 1, "T, cut 0: the cut is not between")
+truncation("cut on an edge and off it", set_cut(0, t=1e-9), 1, "T, cut 0: T is zero although")
+truncation("cut before its edge, sideways", set_cut(0, t=-1e-9), 1, "T, cut 0: the cut is not between")
+truncation("cut within a facet, but on its edge", set_cut(0, second=3), 1, "T, cut 0: T is zero although")
+truncation("cut on an edge, but within one of its facets", set_cut(0, second=0, t=1e-9), 1, "T, facet 0: the parts do not end at the sides")
+truncation("cut within a facet, of another one", set_cut(0, second=12, t=0.01), 1, "is not in the facet")
+truncation("cut on another edge", set_cut(0, first=11), 1, "is not in the facet")
+truncation("cut between equal vertices", set_cut(0, first=1), 1, "are in the wrong order")
+truncation("cut around another vertex", set_cut(0, center=6), 1, "is not a cut around the center")
 truncation("cuts on an edge pass each other", of_truncation(pass_each_other), 1, "T, facet")
 truncation("cuts on an edge meet", of_truncation(meet_each_other), 1, "T, facet")
 truncation("cut moved along its edge", set_cut(0, s=0.04), 0, T_AND_A)
@@ -924,27 +924,27 @@ truncation("cut moved along its edge", set_cut(0, s=0.04), 0, T_AND_A)
 # in the plane
 truncation("point of a rim across the center", of_truncation(lambda t: scaled(t, t.discs[0].rim[0][0], -1)), 1, "does not turn around")
 truncation("point of a rim at the center", of_truncation(lambda t: scaled(t, t.discs[0].rim[0][0], 0)), 1, "does not turn around")
-truncation("point of a rim across an edge of the disc", of_truncation(lambda t: scaled(t, t.ear()[1][1], 0.5)), 1, "in the plane, a triangle is turned")
+truncation("point of a rim across an edge of the disc", of_truncation(lambda t: scaled(t, t.ear()[1][1], 0.5)), 1, "in the plane, a triangle is reversed")
 truncation("rim leads around twice", of_truncation(turn_rim_twice), 1, "2 times")
 truncation("two points of a rim exchanged in the plane", of_truncation(lambda t: t.planar.__setitem__(slice(0, 2), t.planar[1::-1])), 1, "in the plane")
 truncation("point of a rim moved a little", of_truncation(lambda t: scaled(t, t.discs[0].rim[0][0], 1.01)), 0, T_AND_A)
 truncation("disc enlarged in the plane", of_truncation(lambda t: [scaled(t, r[0], 3.) for r in t.discs[0].rim]), 0, T_AND_A)
 
 # the parts of facets
-truncation("core removed", of_truncation(lambda t: t.cores.pop(0)), 1, "T, facet 0: its parts")
-truncation("all cores of a facet removed", of_truncation(lambda t: t.cores.__setitem__(slice(0, 2), [])), 1, "T, facet 0: its parts")
-truncation("core turned", of_truncation(lambda t: t.cores[0].__setitem__(slice(0, 2), t.cores[0][1::-1])), 1, "T, facet 0: a part of it is turned")
+truncation("core removed", of_truncation(lambda t: t.cores.pop(0)), 1, "T, facet 0: the parts")
+truncation("all cores of a facet removed", of_truncation(lambda t: t.cores.__setitem__(slice(0, 2), [])), 1, "T, facet 0: the parts")
+truncation("core turned", of_truncation(lambda t: t.cores[0].__setitem__(slice(0, 2), t.cores[0][1::-1])), 1, "T, facet 0: a part is reversed")
 truncation("core twice", of_truncation(lambda t: t.cores.append(list(t.cores[0]))), 1, "T, facet 0: two triangles")
-truncation("core of another facet", of_truncation(lambda t: t.cores[-1].__setitem__(3, 5)), 1, "is not in it")
-truncation("core of a neighboring facet", of_truncation(lambda t: t.cores[1].__setitem__(3, 9)), 1, "T, facet 0: its parts")
-truncation("core with a center", of_truncation(lambda t: t.cores[0].__setitem__(0, t.discs[0].center)), 1, "T, core 0: a corner of it is cut off")
-truncation("core without area", of_truncation(lambda t: t.cores[0].__setitem__(0, t.cores[0][1])), 1, "T, facet 0: a part of it is turned")
-truncation("edge of the rim in another facet", of_truncation(lambda t: t.discs[0].rim[1].__setitem__(1, 0)), 1, "is not in it")
-truncation("edges of the rim in each other's facets", exchange_in_rim(1), 1, "is not in it")
-truncation("facet turned", of_truncation(lambda t: t.facets[0].reverse()), 1, "another one is on the same side")
+truncation("core of another facet", of_truncation(lambda t: t.cores[-1].__setitem__(3, 5)), 1, "is not in the facet")
+truncation("core of a neighboring facet", of_truncation(lambda t: t.cores[1].__setitem__(3, 9)), 1, "T, facet 0: the parts")
+truncation("core with a center", of_truncation(lambda t: t.cores[0].__setitem__(0, t.discs[0].center)), 1, "T, core 0: a corner is cut off")
+truncation("core without area", of_truncation(lambda t: t.cores[0].__setitem__(0, t.cores[0][1])), 1, "T, facet 0: a part is reversed")
+truncation("edge of the rim in another facet", of_truncation(lambda t: t.discs[0].rim[1].__setitem__(1, 0)), 1, "is not in the facet")
+truncation("edges of the rim in each other's facets", exchange_in_rim(1), 1, "is not in the facet")
+truncation("facet turned", of_truncation(lambda t: t.facets[0].reverse()), 1, "another facet is on the same side")
 truncation("facet with another corner", of_truncation(lambda t: t.facets[0].__setitem__(0, 16)), 1, "T, facet 0: ")
-truncation("facet without area", of_truncation(lambda t: t.facets[0].__setitem__(0, t.facets[0][1])), 1, "T, facet 0: it is degenerate")
-truncation("facet twice", of_truncation(lambda t: t.facets.append(list(t.facets[0]))), 1, "another one is on the same side")
+truncation("facet without area", of_truncation(lambda t: t.facets[0].__setitem__(0, t.facets[0][1])), 1, "T, facet 0: the facet is degenerate")
+truncation("facet twice", of_truncation(lambda t: t.facets.append(list(t.facets[0]))), 1, "another facet is on the same side")
 truncation("cores in another order", of_truncation(lambda t: t.cores.reverse()), 0, T_AND_A)
 truncation("corners of a core in another order", of_truncation(
     lambda t: t.cores[0].__setitem__(slice(0, 3), t.cores[0][1:3] + t.cores[0][:1])), 0, T_AND_A)
@@ -952,36 +952,36 @@ truncation("corners of a core in another order", of_truncation(
 # discs
 truncation("points of a rim exchanged", exchange_in_rim(0), 1, "T, facet")
 truncation("point of a rim removed", of_truncation(lambda t: t.discs[0].rim.pop()), 1, "T, disc 0: ")
-truncation("point of a rim twice", of_truncation(lambda t: t.discs[0].rim.append(list(t.discs[0].rim[0]))), 1, "is in a rim before")
-truncation("point of a rim that is a vertex", of_truncation(lambda t: t.discs[0].rim[0].__setitem__(0, t.cuts[0][1])), 1, "is no cut around its center")
+truncation("point of a rim twice", of_truncation(lambda t: t.discs[0].rim.append(list(t.discs[0].rim[0]))), 1, "is in an earlier rim")
+truncation("point of a rim that is a vertex", of_truncation(lambda t: t.discs[0].rim[0].__setitem__(0, t.cuts[0][1])), 1, "is not a cut around the center")
 truncation("point of a rim of another disc", of_truncation(
-    lambda t: t.discs[0].rim[0].__setitem__(0, t.discs[1].rim[0][0])), 1, "is no cut around its center")
+    lambda t: t.discs[0].rim[0].__setitem__(0, t.discs[1].rim[0][0])), 1, "is not a cut around the center")
 truncation("rim backwards", of_truncation(lambda t: t.discs[0].rim.reverse()), 1, "T, facet")
-truncation("rim of two points", of_truncation(lambda t: t.discs[0].rim.__setitem__(slice(2, None), [])), 1, "is no polygon")
-truncation("triangle of a disc turned", of_truncation(lambda t: t.discs[0].triangles[0].reverse()), 1, "in the plane, a triangle is turned")
-truncation("triangle of a disc removed", of_truncation(lambda t: t.discs[0].triangles.pop()), 1, "do not end at its rim")
-truncation("no triangles of a disc", of_truncation(lambda t: t.discs[0].triangles.clear()), 1, "do not end at its rim")
+truncation("rim of two points", of_truncation(lambda t: t.discs[0].rim.__setitem__(slice(2, None), [])), 1, "fewer than three points")
+truncation("triangle of a disc turned", of_truncation(lambda t: t.discs[0].triangles[0].reverse()), 1, "in the plane, a triangle is reversed")
+truncation("triangle of a disc removed", of_truncation(lambda t: t.discs[0].triangles.pop()), 1, "do not end at the rim")
+truncation("no triangles of a disc", of_truncation(lambda t: t.discs[0].triangles.clear()), 1, "do not end at the rim")
 truncation("triangle of a disc twice", of_truncation(lambda t: t.discs[0].triangles.append(list(t.discs[0].triangles[0]))), 1,
            "T, disc 0: two triangles")
 truncation("triangle of a disc without area", of_truncation(lambda t: t.discs[0].triangles[0].__setitem__(0, t.discs[0].triangles[0][1])), 1,
            "T, disc 0: in the plane")
 truncation("triangle with a point of another disc", of_truncation(
-    lambda t: t.discs[0].triangles[0].__setitem__(0, t.discs[1].rim[0][0])), 1, "is not one of its own")
+    lambda t: t.discs[0].triangles[0].__setitem__(0, t.discs[1].rim[0][0])), 1, "is not a point of the disc")
 truncation("triangle of a disc with a vertex", of_truncation(
-    lambda t: t.discs[0].triangles[0].__setitem__(0, not_in_rim(t))), 1, "is not one of its own")
+    lambda t: t.discs[0].triangles[0].__setitem__(0, not_in_rim(t))), 1, "is not a point of the disc")
 truncation("triangle of one disc in another one", of_truncation(
-    lambda t: t.discs[1].triangles.append(t.discs[0].triangles.pop())), 1, "is not one of its own")
-truncation("two discs of one vertex", of_truncation(lambda t: setattr(t.discs[1], "center", t.discs[0].center)), 1, "its center has another one")
-truncation("disc of another vertex", of_truncation(lambda t: setattr(t.discs[0], "center", not_in_rim(t))), 1, "is no cut around its center")
-truncation("disc removed", of_truncation(lambda t: t.discs.pop()), 1, "is in no disc")
+    lambda t: t.discs[1].triangles.append(t.discs[0].triangles.pop())), 1, "is not a point of the disc")
+truncation("two discs of one vertex", of_truncation(lambda t: setattr(t.discs[1], "center", t.discs[0].center)), 1, "another disc has the same center")
+truncation("disc of another vertex", of_truncation(lambda t: setattr(t.discs[0], "center", not_in_rim(t))), 1, "is not a cut around the center")
+truncation("disc removed", of_truncation(lambda t: t.discs.pop()), 1, "is not in a disc")
 truncation("discs in another order", of_truncation(lambda t: t.discs.reverse()), 0, T_AND_A)
 truncation("rim begun elsewhere", of_truncation(lambda t: t.discs[0].rim.append(t.discs[0].rim.pop(0))), 0, T_AND_A)
 
 # points
-truncation("two vertices in one place", of_truncation(lambda t: t.points.__setitem__(0, list(t.points[1]))), 1, "T: point 1 is where another one is")
-truncation("cut where a vertex is", of_truncation(lambda t: t.points.__setitem__(t.corners(), list(t.points[0]))), 1, "is where another one is")
-truncation("cut moved, but not in the mesh", of_truncation(lambda t: t.points[t.corners()].__setitem__(0, 1 + 1e-9)), 1, "A: the mesh is not what becomes")
-truncation("vertex moved, but not in the mesh", of_truncation(lambda t: t.points[0].__setitem__(0, 1e-9)), 1, "A: the mesh is not what becomes")
+truncation("two vertices in one place", of_truncation(lambda t: t.points.__setitem__(0, list(t.points[1]))), 1, "T: point 1 has the coordinates of another point")
+truncation("cut where a vertex is", of_truncation(lambda t: t.points.__setitem__(t.corners(), list(t.points[0]))), 1, "has the coordinates of another point")
+truncation("cut moved, but not in the mesh", of_truncation(lambda t: t.points[t.corners()].__setitem__(0, 1 + 1e-9)), 1, "A: the mesh is not the user's mesh after")
+truncation("vertex moved, but not in the mesh", of_truncation(lambda t: t.points[0].__setitem__(0, 1e-9)), 1, "A: the mesh is not the user's mesh after")
 truncation("center moved, but not in the user's mesh", of_truncation(
     lambda t: t.points[t.discs[0].center].__setitem__(0, 1e-9)), 1, "A: the user's mesh")
 truncation("point that does not exist", of_truncation(lambda t: t.cores[0].__setitem__(0, len(t.points))), 2, "out of range")
@@ -997,14 +997,14 @@ for n, what in enumerate(("vertices", "cuts", "points within discs", "facets", "
 # the mesh
 truncation("triangle of a disc turned in the mesh", lambda f, t: next(
     g for g in f.facets if all(f.points[v] in [t.points[p] for p, _ in t.discs[0].rim] for v in g)).reverse(), 1, "closed", "mc")
-truncation("edge of a disc flipped in the mesh", flip_edge, 1, "A: the mesh is not what becomes", "mc")
+truncation("edge of a disc flipped in the mesh", flip_edge, 1, "A: the mesh is not the user's mesh after", "mc")
 truncation("edge of a disc flipped in a mesh that is the user's", lambda f, t: (flip_edge(f, t), setattr(f, "user", (f.points, f.facets)), no_claims(f)), 0, "certified: T(0/1) A\n", "mc")
-truncation("all facets of the mesh turned", lambda f, t: [g.reverse() for g in f.facets], 1, "A: the mesh is not what becomes", "mc")
-truncation("point of a rim moved in the mesh", move_in_mesh, 1, "A: the mesh is not what becomes", "mc")
-truncation("tip beside its disc", add_component(lambda t: t.points[t.discs[0].center]), 1, "T: a facet beyond the truncation", "mc")
+truncation("all facets of the mesh turned", lambda f, t: [g.reverse() for g in f.facets], 1, "A: the mesh is not the user's mesh after", "mc")
+truncation("point of a rim moved in the mesh", move_in_mesh, 1, "A: the mesh is not the user's mesh after", "mc")
+truncation("tip beside its disc", add_component(lambda t: t.points[t.discs[0].center]), 1, "T: a facet outside the truncation", "mc")
 truncation("component at a point of a rim", add_component(lambda t: t.points[t.discs[0].rim[0][0]]), 1, "T: two vertices of the mesh", "mc")
 truncation("component at a vertex", add_component(lambda t: t.points[not_in_rim(t)]), 1, "T: two vertices of the mesh", "mc")
-truncation("component elsewhere", add_component(lambda t: [10., 10., 10.]), 1, "A: the mesh is not what becomes", "mc")
+truncation("component elsewhere", add_component(lambda t: [10., 10., 10.]), 1, "A: the mesh is not the user's mesh after", "mc")
 truncation("vertices of the mesh that no facet has", lambda f, t: f.points.append(list(f.some_vertex())), 0, T_AND_A, "mc")
 
 
@@ -1026,9 +1026,9 @@ def double(t):
 
 
 truncation("patch that the mesh does not have", lambda f, t: double(t), 0, "certified: P1 P2 P3 P4 P5 T(1/2) A\n")
-truncation("core missing in a patch that the mesh does not have", lambda f, t: (double(t), t.cores.pop()), 1, "its parts")
+truncation("core missing in a patch that the mesh does not have", lambda f, t: (double(t), t.cores.pop()), 1, "the parts")
 truncation("patch that the mesh does not have, next to one of its points", lambda f, t: (
-    double(t), t.points.__setitem__(t.corners() - 1, list(t.points[t.corners() // 2 - 1]))), 1, "is where another one is")
+    double(t), t.points.__setitem__(t.corners() - 1, list(t.points[t.corners() // 2 - 1]))), 1, "has the coordinates of another point")
 
 
 # Adds a point within the first disc, and a cut within the first facet, to a truncation without such points. The mesh is
@@ -1090,18 +1090,18 @@ def set_last_cut(n, x):
 
 enriched("more points", lambda t, cut, inner: None, 0, "certified: T A\n")
 enriched("point within a disc moved", set_planar(1, [-0.1, 0.3]), 0, "certified: T A\n")
-enriched("point within a disc across the rim", set_planar(1, [2., 0.3]), 1, "in the plane, a triangle is turned")
-enriched("point within a disc on an edge", set_planar(1, [1., 0.]), 1, "in the plane, a triangle is turned")
-enriched("point within a disc in another one, too", lambda t, cut, inner: t.discs[1].triangles[0].__setitem__(0, inner), 1, "is not one of its own")
-enriched("point within a disc in a core", lambda t, cut, inner: t.cores[0].__setitem__(0, inner), 1, "T, core 0: a corner of it is within a disc")
+enriched("point within a disc across the rim", set_planar(1, [2., 0.3]), 1, "in the plane, a triangle is reversed")
+enriched("point within a disc on an edge", set_planar(1, [1., 0.]), 1, "in the plane, a triangle is reversed")
+enriched("point within a disc in another one, too", lambda t, cut, inner: t.discs[1].triangles[0].__setitem__(0, inner), 1, "is not a point of the disc")
+enriched("point within a disc in a core", lambda t, cut, inner: t.cores[0].__setitem__(0, inner), 1, "T, core 0: a corner is in the interior of a disc")
 enriched("point within a disc in no triangle", lambda t, cut, inner: setattr(
-    t.discs[0], "triangles", [[t.discs[0].rim[0][0] if p == inner else p for p in c] for c in t.discs[0].triangles[1:-1]]), 1, "is in no disc")
+    t.discs[0], "triangles", [[t.discs[0].rim[0][0] if p == inner else p for p in c] for c in t.discs[0].triangles[1:-1]]), 1, "is not in a disc")
 enriched("cut within a facet moved", set_last_cut(3, 0.02), 0, "certified: T A\n")
-enriched("cut within a facet across an edge", set_last_cut(3, 0.99), 1, "it is not between")
-enriched("cut within a facet on a core's edge", set_last_cut(3, 0.7), 1, "T, facet 0: a part of it is turned")
+enriched("cut within a facet across an edge", set_last_cut(3, 0.99), 1, "the cut is not between")
+enriched("cut within a facet on a core's edge", set_last_cut(3, 0.7), 1, "T, facet 0: a part is reversed")
 enriched("cut within a facet that is on an edge", lambda t, cut, inner: t.cuts[-1].__setitem__(slice(2, 5), [NO_POINT, 0.02, 0]), 1, "T, facet 0: ")
 enriched("cut within a facet whose corners are exchanged", lambda t, cut, inner: t.cuts[-1].__setitem__(slice(1, 3), t.cuts[-1][2:0:-1]), 1,
-         "between corners in another order")
+         "are in the wrong order")
 enriched("cut within a facet moved out of its angle, in the plane", set_planar(0, [0.1, -0.4]), 1, "does not turn around")
 
 
@@ -1139,7 +1139,7 @@ user("the user's mesh without a facet", lambda f: f.user[1].pop(), 1, "A: ")
 user("the user's mesh with a facet twice", lambda f: f.user[1].append(list(f.user[1][0])), 1, "A: ")
 user("the user's mesh with another component", lambda f: f.user[1].extend([[0, 1, 2], [0, 2, 1]]), 1, "A: ")
 truncation("the mesh as the user's", lambda f, t: setattr(f, "user", (f.points, f.facets)), 1,
-           "A: the user's mesh does not have all facets that are cut")
+           "A: the user's mesh lacks facets that the truncation cuts")
 truncation("the user's mesh as the certificate's", lambda f, t: (restore_tips(f, t), no_claims(f)), 0, "certified: T(0/1) A\n", "mc")
 
 
@@ -1161,7 +1161,7 @@ def first_cut(f):
     return next(n for n, g in enumerate(f.user[1]) if sorted(f.user[0][v] for v in g) == sorted(t.points[p] for p in t.facets[0]))
 
 
-opened("open mesh whose closing is cut", lambda f, closing: None, 1, "A: the user's mesh does not have all facets that are cut", first_cut)
+opened("open mesh whose closing is cut", lambda f, closing: None, 1, "A: the user's mesh lacks facets that the truncation cuts", first_cut)
 opened("open mesh", lambda f, closing: None, 0, accepted)
 opened("open mesh, without the user's", lambda f, closing: setattr(f, "user", None), 0, lambda f: f.claims().replace(" A\n", "\n"))
 opened("open mesh, closed the wrong way round", lambda f, closing: closing.__setitem__(-1, "1 0 2 0"), 1, "A: ")
@@ -1175,8 +1175,8 @@ add("blank at the end of a line", lambda f: f.certificate.__setitem__(3, f.certi
 add("two blanks", lambda f: f.certificate.__setitem__(3, f.certificate[3].replace(" ", "  ", 1)), 2, "line 4")
 add("lines that end with \\r", lambda f: f.certificate.__setitem__(3, f.certificate[3] + "\r"), 2, "line 4")
 add("verdict that does not exist", lambda f: f.certificate.__setitem__(3, "verdicts proved proved proved proved true"), 2, "verdict")
-add("line too many", lambda f: f.certificate.append("0"), 2, "more than")
-add("line too few", lambda f: f.certificate.pop(), 2, "a number is expected")
+add("line too many", lambda f: f.certificate.append("0"), 2, "unexpected data")
+add("line too few", lambda f: f.certificate.pop(), 2, "expected a number")
 add("empty certificate", lambda f: f.certificate.clear(), 2, "missing", "e")
 add("checksum in upper case", lambda f: setattr(f, "certificate_sum", "checksum " + f.certificate_sum[9:].upper()), 2, "checksum", "")
 
@@ -1229,7 +1229,7 @@ def ball(inner_wave=0, outer_wave=0, axes=(1,), unit=1, path="0.27 0.28 0.28 0.9
     return Files.of(shell, certificate, points, facets)
 
 
-ACCEPTED, STEEP, AT_END = (0, "certified: P1 P2 P3 P4 P5"), (1, "more steeply"), (1, "where the leaves end")
+ACCEPTED, STEEP, AT_END = (0, "certified: P1 P2 P3 P4 P5"), (1, "faster than a threshold"), (1, "where the leaves end")
 WAVES = [({}, ACCEPTED), ({"outer_wave": 0.3}, ACCEPTED), ({"outer_wave": 1.2}, STEEP), ({"inner_wave": 0.02}, ACCEPTED),
          ({"inner_wave": 0.6}, STEEP), ({"outer_wave": 0.5}, ACCEPTED), ({"outer_wave": 0.5, "axes": (0, 1, 2)}, STEEP),
          ({"outer_wave": 0.3, "unit": 1e-170}, ACCEPTED), ({"outer_wave": 1.2, "unit": 1e-170}, STEEP)]
@@ -1254,7 +1254,7 @@ def main():
     files = Files(sys.argv[2]) if len(sys.argv) > 2 else None
     cases = [] if files else [("ball: %s" % ball_is, ball(**ball_is), code, sentence) for ball_is, (code, sentence) in WAVES + ENDS] + [
         ("ball, path through an edge", ball(path=THROUGH_EDGE), 1, "does not pass through the interior"),
-        ("ball, path that begins downwards", ball(path=FROM_BEHIND_THE_CENTER), 1, "does not rise on all of it")]
+        ("ball, path that begins downwards", ball(path=FROM_BEHIND_THE_CENTER), 1, "increase along it")]
     for function, code, sentence, update, applies in TESTS:
         if not files or not applies(files):
             continue

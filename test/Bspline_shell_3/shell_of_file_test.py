@@ -56,7 +56,7 @@ with tempfile.TemporaryDirectory() as folder:
     done = run(write(path("tray.obj"), obj), path("obj"), "--thickness", "0.02")
     assert done.returncode == 0, done
     assert report("obj")["kind"] == "virtually closed" and report("obj")["repairs"]["reversed_polygons"] == 1, report("obj")
-    assert report("obj")["closing"]["holes"] == 1 and "turned round" in done.stdout, done
+    assert report("obj")["closing"]["holes"] == 1 and "polygons reversed" in done.stdout, done
 
     # OFF: self-intersecting
     done = run(os.path.join(meshes, "bull.off"), path("off"))
@@ -76,11 +76,11 @@ with tempfile.TemporaryDirectory() as folder:
     ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face %d\n" \
           "property list uchar int vertex_indices\nend_header\n%s 0 0\n1 0 0\n0 1 0\n"
     codes = {}
-    for name, text, said in (("missing.off", None, "missing.off: There is no such file"),
+    for name, text, said in (("missing.off", None, "missing.off: The file does not exist"),
                              ("broken.off", "OFF\n3 1 0\n0 0 0\n", "broken.off, line 3: "),
-                             ("text.txt", "no mesh", "text.txt: The format"),
+                             ("text.txt", "no mesh", "text.txt: The file format"),
                              ("none.stl", "", "none.stl: The file is empty"),
-                             ("empty.off", "OFF\n0 0 0\n", "no facet"), ("points.ply", ply % (0, "0"), "no facet"),
+                             ("empty.off", "OFF\n0 0 0\n", "no facets"), ("points.ply", ply % (0, "0"), "no facets"),
                              ("nan.ply", ply % (1, "nan") + "3 0 1 2\n", "nan.ply, line 10: ")):
         done = run(path(name) if text is None else write(path(name), text), path("stl"))
         codes[name] = done.returncode

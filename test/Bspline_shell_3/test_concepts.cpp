@@ -295,7 +295,7 @@ void check_field_interface()
 
 } // namespace
 
-TEST_CASE("SignedDistanceOracle_3: the archetype gives the field its values")
+TEST_CASE("SignedDistanceOracle_3: the field gets its values from the archetype")
 {
   const Distance_archetype oracle(0.95);
   BS::Energy_weights distance_only;
@@ -307,7 +307,7 @@ TEST_CASE("SignedDistanceOracle_3: the archetype gives the field its values")
   CHECK(*shell.field().value(Point_3(0, 0, -1.2)) == Approx(0.25).margin(0.01));
 }
 
-TEST_CASE("SPDSolver: the archetype and the package's models find the same shell")
+TEST_CASE("SPDSolver: the archetype and the package's models yield the same shell")
 {
   const Mesh mesh = sphere(1);
   const auto p = P::grid_spacing(0.5);
@@ -330,14 +330,14 @@ TEST_CASE("SPDSolver: the archetype and the package's models find the same shell
 #endif
 }
 
-TEST_CASE("ShellVisitor: the archetype is told")
+TEST_CASE("ShellVisitor: the archetype is called in each step")
 {
   Visitor_archetype visitor(0);
   REQUIRE(CGAL::bspline_shell_3(sphere(1), P::grid_spacing(0.5).visitor(std::ref(visitor))));
   CHECK(visitor.calls == 5);
 }
 
-TEST_CASE("BsplineField_3: bounds, shells and level sets want no more of a field than the archetype has")
+TEST_CASE("BsplineField_3: bounds, shells and level sets require no more of a field than the archetype has")
 {
   check_field_interface<BS::Uniform_bspline_field_3<> >();
   check_field_interface<BS::Uniform_bspline_field_3<CGAL::Simple_cartesian<double> > >();
@@ -385,7 +385,7 @@ TEST_CASE("BsplineField_3: bounds, shells and level sets want no more of a field
   CHECK(level_set.number_of_faces() == same_set.number_of_faces());
 }
 
-TEST_CASE("FittableBsplineField_3: a fit wants no more of a field than the archetype has")
+TEST_CASE("FittableBsplineField_3: a fit requires no more of a field than the archetype has")
 {
   typedef CGAL::Sequential_tag Tag;
   Fit_problem problem(sphere(2), 8);
@@ -403,7 +403,7 @@ TEST_CASE("FittableBsplineField_3: a fit wants no more of a field than the arche
                      problem.field.cell(c).coefficients()));
 }
 
-TEST_CASE("RemeshingVisitor: the archetype is asked")
+TEST_CASE("RemeshingVisitor: the archetype is called")
 {
   Mesh mesh = sphere(1);
   const Shell shell = CGAL::bspline_shell_3(mesh, P::resolution(8));
@@ -413,7 +413,7 @@ TEST_CASE("RemeshingVisitor: the archetype is asked")
   CHECK(visitor.calls > 0);
 }
 
-TEST_CASE("FlowVisitor, AttributeInterpolation: the archetypes are told, and called")
+TEST_CASE("FlowVisitor, AttributeInterpolation: the archetypes are called")
 {
   Mesh mesh = sphere(1);
   const Shell shell = CGAL::bspline_shell_3(mesh, P::resolution(8));

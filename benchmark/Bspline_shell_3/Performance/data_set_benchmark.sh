@@ -12,7 +12,7 @@ meshes=$(realpath -- "$1") number=${2:-150} turns=${3:-2} batch=${4:-20}
 cd "$(dirname "$0")/../../.."
 root=$PWD
 program=$(realpath -- "${PROGRAM:-build/data_set/examples/Bspline_shell_3/simplify_and_transfer}")
-[ -x "$program" ] || { echo "There is no $program: run examples/data_set.sh once, which builds it." >&2; exit 2; }
+[ -x "$program" ] || { echo "$program does not exist: run examples/data_set.sh once to build it." >&2; exit 2; }
 processes=${PROCESSES:-$(nproc)} pictures=${PICTURES:-false}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

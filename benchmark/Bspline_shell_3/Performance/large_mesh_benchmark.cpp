@@ -206,7 +206,7 @@ void measure(const std::string& name, const Options& options)
     BS::Shell_certificate_3 certificate(shell);
     const bool is_certified = certificate.verify(mesh);
     stages += stage.finish("certificate", facets, mesh_bytes);
-    if(!is_certified) return refuse("the certificate is not the one of the shell", stages);
+    if(!is_certified) return refuse("The mesh was not certified again.", stages);
   }
 
   const BS::Facet_count_stop_predicate stop(std::size_t(options.ratio * double(facets)));
@@ -286,7 +286,7 @@ int main(int argc, char** argv)
     }
     int status = 0;
     if(child < 0 || waitpid(child, &status, 0) < 0 || !(WIFEXITED(status) && WEXITSTATUS(status) == 0))
-      std::cout << "{\"mesh\":" << quoted(name) << ",\"status\":\"refused\",\"reason\":\"the process died\"}"
+      std::cout << "{\"mesh\":" << quoted(name) << ",\"status\":\"refused\",\"reason\":\"The process died.\"}"
                 << std::endl;
   }
   return EXIT_SUCCESS;

@@ -207,7 +207,7 @@ int main(int argc, char** argv)
        && (options.prefix.empty() || files.size() == 1))) {
     std::cerr << "Usage: resolution_benchmark [--gamma G,G,...] [--points N] [--thickness T] [--output PREFIX AXIS "
                  "PART] [MESH ...]\n"
-                 "With --output, there is one MESH.\n";
+                 "--output requires exactly one MESH.\n";
     return 2;
   }
   if(files.empty())

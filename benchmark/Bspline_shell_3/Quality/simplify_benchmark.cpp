@@ -176,7 +176,9 @@ int main(int argc, char** argv)
     else files.push_back(argument);
   }
   if(files.empty()) {
-    std::cerr << "Usage: simplify_benchmark FILE... [options, see the source]\n";
+    std::cerr
+      << "Usage: simplify_benchmark FILE... [--facets N] [--ratio R] [--policy "
+         "plane|triangle|probabilistic-plane|probabilistic-triangle] [--thickness T] [--points N] [--max-seconds S]\n";
     return EXIT_FAILURE;
   }
   bool failed = false;
@@ -188,7 +190,8 @@ int main(int argc, char** argv)
     }
     int status = 0;
     waitpid(child, &status, 0);
-    if(WIFSIGNALED(status)) print_refused(file, WTERMSIG(status) == SIGALRM ? "time limit" : "the process died");
+    if(WIFSIGNALED(status))
+      print_refused(file, WTERMSIG(status) == SIGALRM ? "The time limit was reached." : "The process died.");
     failed = failed || status != 0;
   }
   return failed ? EXIT_FAILURE : EXIT_SUCCESS;

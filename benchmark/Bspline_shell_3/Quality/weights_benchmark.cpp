@@ -228,7 +228,7 @@ int main(int argc, char** argv)
        && std::all_of(options.mus.begin(), options.mus.end(), is_positive))) {
     std::cerr << "Usage: weights_benchmark [--gamma G] [--mu M,M,...] [--points N] [--thickness T] [--output PREFIX] "
                  "[MESH ...]\n"
-                 "With --output, there is one MESH.\n";
+                 "--output requires exactly one MESH.\n";
     return 2;
   }
   if(files.empty()) files.push_back(MESHES "/fandisk.off");

@@ -39,7 +39,7 @@ def measure(build):
     meshes = build / "data/meshes"
     for found in objects(build, "certify_meshes", "--no-proxy", *(meshes / f"{m}.off" for m in MESHES)):
         if found["status"] != "certified":
-            sys.exit(f"There is no certificate for {found['mesh']}.")
+            sys.exit(f"{found['mesh']} was not certified.")
         yield f"shell of {name(found)}, seconds", found["seconds"]["total"]
         yield f"shell of {name(found)}, cells", found["cells"]
         yield f"shell of {name(found)}, megabytes", found["peak_mb"]
@@ -60,7 +60,7 @@ def measured(build):
     for run in range(RUNS):
         found, = objects(build, "reference_computation")
         reference = min(reference, found["edge_collapse"] + found["closest_points"])
-        print(f"run {run + 1} of {RUNS}; the reference computation takes {reference:.2f} s", flush=True)
+        print(f"Run {run + 1} of {RUNS}: the reference computation takes {reference:.2f} s.", flush=True)
         for figure, value in measure(build):
             least[figure] = min(value, least.get(figure, value))
     return {figure: round(value / reference, 4) if figure.endswith("seconds") else value for figure, value in least.items()}
@@ -91,17 +91,17 @@ def main(build, *options):
         part = Path(f"{FIGURES}.part")
         part.write_text(text, encoding="utf-8")
         part.replace(FIGURES)
-        print(f"{len(now)} figures of {machine} are kept in {FIGURES.name}.")
+        print(f"Stored {len(now)} figures for machines with {machine} in {FIGURES.name}.")
         return 0
     if machine not in all_figures:
-        print(f"There are no figures of {machine}: seconds are not compared.")
+        print(f"There are no figures for machines with {machine}, so times are not compared: store them with --update.")
     worse = 0
     for figure, value in now.items():
         before = all_figures.get(machine if figure.endswith("seconds") else "any", {}).get(figure)
         said, is_worse = compare(figure, before, value)
         worse += is_worse
         print(f"{figure:50} {'' if before is None else before:>10} -> {value:<10} {said}")
-    print(f"{worse} of {len(now)} figures are worse, or have changed. Seconds are multiples of the reference computation's.")
+    print(f"{worse} of {len(now)} figures are worse or have changed. Times are multiples of the time of the reference computation.")
     return 1 if worse else 0
 
 

@@ -32,7 +32,7 @@ int main(int argc, char** argv)
   const std::string file = argc > 1 ? argv[1] : MESHES "/armadillo.off";
   Mesh mesh;
   if(!PMP::IO::read_polygon_mesh(file, mesh)) {
-    std::cerr << file << " cannot be read." << std::endl;
+    std::cerr << file << ": The mesh cannot be read." << std::endl;
     return EXIT_FAILURE;
   }
   const CGAL::Bbox_3 box = PMP::bbox(mesh);

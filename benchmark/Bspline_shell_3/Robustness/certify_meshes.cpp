@@ -370,7 +370,7 @@ void certify_apart(const std::string& file, const Options& options)
     try {
       certify(file, options);
     } catch(const std::exception& e) {
-      print_refused(file, options, std::string("exception: ") + e.what(), BS::Offending_simplices(), timer.time(),
+      print_refused(file, options, std::string("Exception: ") + e.what(), BS::Offending_simplices(), timer.time(),
                     peak_mb());
     }
     _exit(0);
@@ -378,13 +378,14 @@ void certify_apart(const std::string& file, const Options& options)
   int status = 0;
   struct rusage usage = {};
   if(child < 0 || wait4(child, &status, 0, &usage) < 0) {
-    print_refused(file, options, "no process could be started", BS::Offending_simplices(), 0, 0);
+    print_refused(file, options, "The process could not be started.", BS::Offending_simplices(), 0, 0);
     return;
   }
   if(WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
   const bool late = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
   print_refused(file, options,
-                late ? "time limit reached" : "the process ended with signal " + std::to_string(WTERMSIG(status)),
+                late ? "The time limit was reached."
+                     : "The process ended with signal " + std::to_string(WTERMSIG(status)) + ".",
                 BS::Offending_simplices(), timer.time(), usage.ru_maxrss / 1024.);
 }
 
@@ -420,8 +421,8 @@ int main(int argc, char** argv)
   if(options.paper && options.gamma == 0) options.gamma = 50;
   if(!usable || files.empty()) {
     std::cerr << "Usage: certify_meshes FILE... [--thickness T] [--constant] [--gamma G] [--paper] [--no-proxy] "
-                 "[--no-truncation] [--cone-margin M]"
-                 " [--max-seconds S] [--max-memory-mb M] [--write-shells DIR] [--surfaces]\n";
+                 "[--no-truncation] [--cone-margin M] [--max-seconds S] [--max-memory-mb M] [--write-shells DIR] "
+                 "[--surfaces]\n";
     return 2;
   }
   for(const std::string& file : files) certify_apart(file, options);

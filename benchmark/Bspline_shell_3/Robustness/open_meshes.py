@@ -14,12 +14,12 @@ def read(name):
     with open(name, encoding="latin-1") as file:
         rows = [row for row in (line.split("#")[0].split() for line in file) if row]
     if not rows[0][0].endswith("OFF") or len(rows[0]) > 1:
-        raise ValueError(f"{name} is not OFF, with its counts in the second line")
+        raise ValueError(f"{name}: expected an OFF file with the counts in the second line")
     v, f = map(int, rows[1][:2])
     points = [tuple(map(float, row[:3])) for row in rows[2:2 + v]]
     facets = [tuple(map(int, row[1:4])) for row in rows[2 + v:2 + v + f] if row[0] == "3"]
     if len(points) < v or len(facets) < f:
-        raise ValueError(f"{name} has facets that are no triangles, or ends too soon")
+        raise ValueError(f"{name}: a facet is not a triangle, or the file is truncated")
     return points, facets
 
 

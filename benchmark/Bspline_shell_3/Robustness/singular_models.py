@@ -123,14 +123,14 @@ def check_manifold(points, facets):
                 raise ValueError("an edge has two facets on one side")
             after[f[i]][f[(i + 1) % 3]] = f[(i + 2) % 3]
     if len(after) != len(points) or len(set(map(tuple, points))) != len(points):
-        raise ValueError("unused or coincident points")
+        raise ValueError("points are unused or coincident")
     for link in after.values():
         first, steps = next(iter(link)), 1
         w = link[first]
         while w != first and steps <= len(link):
             w, steps = link.get(w), steps + 1
         if steps != len(link):
-            raise ValueError("a border, or a vertex with several umbrellas")
+            raise ValueError("the mesh has a border, or a vertex with several umbrellas")
     reached = [0]
     seen = {0}
     for v in reached:
@@ -139,9 +139,9 @@ def check_manifold(points, facets):
                 seen.add(w)
                 reached.append(w)
     if len(seen) != len(points) or 2 * len(points) - len(facets) != 4:
-        raise ValueError("not a sphere")
+        raise ValueError("the mesh is not a topological sphere")
     if sum(det(*(points[v] for v in f)) for f in facets) <= 0:
-        raise ValueError("inside out")
+        raise ValueError("the mesh is oriented inwards")
 
 
 class Sphere_triangulation:
@@ -159,7 +159,7 @@ class Sphere_triangulation:
                 f = (f[0], f[2], f[1])
             self._add(*f)
         if len(self.third) != 12:
-            raise ValueError("the first four points are not around the center")
+            raise ValueError("the first four points do not surround the center")
         self.last = (a, next(w for v, w in self.third if v == a))
         for v in range(len(points)):
             if v not in corners:
@@ -186,7 +186,7 @@ class Sphere_triangulation:
                     break
             else:
                 return a, b, c
-        raise ValueError("a point is nowhere")
+        raise ValueError("no triangle contains the point")
 
     def _insert(self, v):
         p = self.points[v]
@@ -248,7 +248,7 @@ def conforming(corners, generator):
             numbers[n] = finer
         if missing == 0:
             return sphere, numbers
-    raise ValueError("the arcs are too near to each other")
+    raise ValueError("the arcs are too close to each other")
 
 
 def facets_on_left(sphere, numbers):
@@ -262,11 +262,11 @@ def facets_on_left(sphere, numbers):
         facets.add(f)
         for v, w in ((a, b), (b, c), (c, a)):
             if (w, v) in walls:
-                raise ValueError("the polygon does not separate")
+                raise ValueError("the polygon does not separate the sphere")
             if (v, w) not in walls:
                 todo.append((w, v))
     if any(det(*(sphere.points[v] for v in f)) < 1e-8 for f in facets):
-        raise ValueError("a flat facet")
+        raise ValueError("a facet is degenerate")
     return sorted(facets)
 
 
@@ -420,7 +420,7 @@ def double_singular():
         twisted.append((x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn), z))
     ends = [min(range(len(points)), key=lambda v: math.dist(points[v], (1, 1, z))) for z in (1, 1.5)]
     if not any(set(ends) <= set(f) for f in facets):
-        raise ValueError("the singular vertices are not joined")
+        raise ValueError("no facet contains both singular vertices")
     return twisted, facets, ends
 
 
@@ -467,7 +467,7 @@ def main():
         check_manifold(points, facets)
         for v in singular:
             if not is_singular(fan(points, facets, v)):
-                raise ValueError(f"{name}.off has a vertex that should be singular")
+                raise ValueError(f"{name}.off: a vertex that should be singular is not")
         write(os.path.join(arguments.folder, name + ".off"), points, facets)
 
     for number in range(arguments.cones):

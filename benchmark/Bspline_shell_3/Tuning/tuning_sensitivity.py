@@ -45,7 +45,7 @@ inline T tuned(const char* name, T value)
 
 def run(command, **options):
     if subprocess.run(command, **options).returncode != 0:
-        sys.exit(" ".join(command) + " failed")
+        sys.exit("This command failed: " + " ".join(command))
 
 
 def tuned_numbers(text):
@@ -136,10 +136,10 @@ def compare(before, after):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--work", default=os.path.join(ROOT, "build", "tuning"))
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--meshes", help="those of CGAL's demo, if not given")
-    parser.add_argument("words", nargs="*", metavar="WORDS")
+    parser.add_argument("--work", default=os.path.join(ROOT, "build", "tuning"), help="working folder (default: build/tuning)")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="number of processes (default: all processors)")
+    parser.add_argument("--meshes", help="folder of the meshes (default: those of libcgal-demo)")
+    parser.add_argument("words", nargs="*", metavar="WORDS", help="examine only numbers whose names contain one of these words")
     arguments = parser.parse_args()
     source, folder = os.path.join(arguments.work, "source"), os.path.join(arguments.work, "build")
     numbers, checksum = stage(source)
@@ -171,7 +171,7 @@ def main():
             same.append(name)
         else:
             print(f"| `{name}` | {value:g} | {cells[0]} | {cells[1]} |")
-    print("\nNo difference on these meshes: " + ", ".join(f"`{name}`" for name in same))
+    print("\nNumbers without an effect on these meshes: " + ", ".join(f"`{name}`" for name in same))
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ corners.
 class AttributeInterpolation
 {
 public:
-  /// returns the value at a location, from the values at the corners and barycentric coordinates with the sum one. The
+  /// returns the value at a location, from the values at the corners and barycentric coordinates that sum to one. The
   /// coordinates are nonnegative, except in `transfer_corner_attribute()`, which extrapolates across seams. Calls are
   /// sequential.
   template <typename T>

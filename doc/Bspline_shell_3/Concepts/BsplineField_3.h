@@ -4,10 +4,10 @@
 
 The concept `BsplineField_3` describes a real function that is \f$C^2\f$ and, on each of the closed cubic *cells* that
 make up its domain, a tricubic polynomial. Bounds, shells and level sets access only the cells of a field: their boxes,
-Bernstein coefficients and neighbors. They do not depend on the origin of the coefficients.
+Bernstein coefficients and neighbors. They do not depend on how the coefficients were computed.
 
-Const member functions may be called from several threads at once. Models are default constructible (a field without
-cells), copyable and movable.
+Const member functions may be called concurrently. Models are default constructible (a field without cells), copyable
+and movable.
 
 \cgalHasModel `CGAL::Bspline_shells::Uniform_bspline_field_3`
 \cgalHasModel `CGAL::Bspline_shells::Hierarchical_bspline_field_3`
@@ -38,10 +38,10 @@ public:
   /// changed or destroyed.
   typedef unspecified_type Cell;
 
-  /// The number of a cell, an unsigned integer. The cells of a field are numbered from 0.
+  /// The index of a cell, an unsigned integer. The indices of the cells of a field begin with 0.
   typedef unspecified_type Cell_index;
 
-  /// A number that no cell has.
+  /// An index that no cell has.
   static constexpr Cell_index npos;
 
   /// @}
@@ -59,14 +59,14 @@ public:
   /// Cells are closed: for a point on a common face, either cell may be returned.
   Cell_index locate(const Point_3& p) const;
 
-  /// returns whether corners of cells are exact, also those of cells halved up to eight times. For 0 <= i <= 256,
-  /// `corner()[a] + i * width() / 256` must be computed without rounding. It must be the same `double` for all cells
-  /// that have the corner. Nothing is proved for other fields.
+  /// returns whether the corners of cells, and of cells split up to eight times, are exact. For 0 <= i <= 256,
+  /// `corner()[a] + i * width() / 256` must be computed without rounding, and must be the same `double` for all cells
+  /// that share the corner. Nothing is proved for other fields.
   bool has_exact_cells() const;
 
   /// calls `visit(n)` for every neighbor of `c` at a face, and returns whether there is any. The face is orthogonal to
-  /// an axis (0, 1 or 2), on the side of larger (`positive`) or smaller coordinates. A neighbor has a part of the face
-  /// in common with `c`. If a part of the face is on the boundary of the domain, all of it is.
+  /// an axis (0, 1 or 2), on the side of larger (`positive`) or smaller coordinates. A neighbor shares a part of the
+  /// face with `c`. If a part of the face is on the boundary of the domain, all of it is.
   template <typename Visitor>
   bool visit_neighbors(Cell_index c, int axis, bool positive, const Visitor& visit) const;
 
@@ -79,14 +79,14 @@ public:
   template <typename NT>
   std::array<NT, 64> bernstein_coefficients(Cell_index c) const;
 
-  /// returns the cells as cells of lattices, with the same numbers: a `Cell_complex_3` or a `Cell_hierarchy_3`. Only
+  /// returns the cells as cells of lattices, with the same indices: a `Cell_complex_3` or a `Cell_hierarchy_3`. Only
   /// fits, `extract_level_set()` and the file functions use it. Bounds, predicates, certificate and containment do not.
   const unspecified_type& cells() const;
 
   /// @}
 
   /// \name Evaluation
-  /// These functions return an empty object outside the domain. Derivatives are per user unit.
+  /// These functions return an empty object outside the domain. Derivatives are per unit of the input coordinates.
   /// @{
 
   /// returns the value.

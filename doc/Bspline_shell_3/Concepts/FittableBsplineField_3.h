@@ -7,7 +7,7 @@ coefficients, the unknowns. On a lattice of each level, the field has coefficien
 without a free coefficient depend linearly on the free ones. On each leaf cell, the 64 coefficients at the points around
 it determine the polynomial.
 
-Points of all levels are numbered together, level by level, and so are free coefficients. Numbers are of type
+Points of all levels have common indices, level by level, and so have free coefficients. Indices are of type
 `Cell_index`.
 
 \cgalRefines `BsplineField_3`
@@ -30,10 +30,10 @@ public:
   /// returns the number of points of all levels.
   std::size_t number_of_points() const;
 
-  /// returns the points of a level, in the order of their numbers.
+  /// returns the points of a level, in the order of their indices.
   const CGAL::Bspline_shells::Lattice_set_3& points(int level) const;
 
-  /// returns the number of the first point of a level.
+  /// returns the index of the first point of a level.
   Cell_index first_point(int level) const;
 
   /// returns the number of unknowns.
@@ -45,8 +45,7 @@ public:
   /// returns the point of a free coefficient.
   Cell_index point_of_coefficient(Cell_index coefficient) const;
 
-  /// returns, for each of the sixteen rows of four consecutive points around a leaf cell, the number of its first
-  /// point.
+  /// returns, for each of the sixteen rows of four consecutive points around a leaf cell, the index of its first point.
   std::array<Cell_index, 16> coefficient_rows(Cell_index c) const;
 
   /// @}
@@ -65,7 +64,7 @@ public:
   /// \name Modification
   /// @{
 
-  /// replaces the free coefficients, in user units.
+  /// replaces the free coefficients, in the units of the input coordinates.
   /// \pre `x.size() == number_of_coefficients()`
   template <typename ConcurrencyTag>
   void set_coefficients(Eigen::VectorXd x);

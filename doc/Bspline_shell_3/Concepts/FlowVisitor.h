@@ -2,7 +2,7 @@
 \ingroup PkgBsplineShell3Concepts
 \cgalConcept
 
-The concept `FlowVisitor` describes visitors of functions that move many points along their curves: they receive the
+The concept `FlowVisitor` describes visitors of functions that map many points along integral curves: they receive the
 progress and can stop the function.
 
 \cgalHasModel `CGAL::Bspline_shells::Default_flow_visitor`
@@ -13,7 +13,7 @@ class FlowVisitor
 {
 public:
   /// called by the thread that called the function, after every 16384 points and at the end. Points are not processed
-  /// in the given order. If `false` is returned, the remaining points have no image, and the status
+  /// in the given order. If it returns `false`, the remaining points have no image, and their status is
   /// `CGAL::Bspline_shells::Flow_status::CANCELED`.
   bool advance(std::size_t done, std::size_t total);
 };

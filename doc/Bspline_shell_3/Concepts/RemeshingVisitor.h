@@ -3,7 +3,7 @@
  * \cgalConcept
  *
  * The concept `RemeshingVisitor` describes a visitor of `CGAL::Bspline_shells::remesh_in_shell()`: it receives the
- * progress and can end the edit. The result up to then is certified and kept, and
+ * progress and can end the edit. The mesh is then certified and kept in its current state, and
  * `CGAL::Bspline_shells::Edit_report::end` is `VISITOR`. If the edit is repeated with a proof for each facet,
  * iterations start at 0 again.
  *

@@ -6,8 +6,8 @@ The concept `SPDSolver` describes solvers of linear systems \f$A x = b\f$ with a
 matrix: the normal equations of a fit.
 
 A solver is used for several systems, one after the other, each time with a call to `compute()` and then one to
-`solve()`. It is never called from two threads at once. It need not be copyable if it is passed with `std::ref()`; one
-that is passed by value is copied before its first use.
+`solve()`. It is never called concurrently. A solver that is passed by value is copied before its first use; one that is
+passed with `std::ref()` need not be copyable.
 
 \cgalHasModel `CGAL::Bspline_shells::Conjugate_gradient_solver`
 \cgalHasModel `CGAL::Bspline_shells::Cholmod_solver`
@@ -21,10 +21,10 @@ public:
   /// \name Operations
   /// @{
 
-  /// receives, and may factorize, a matrix. `lower` holds only the lower triangle, in compressed columns with ascending
-  /// rows. It does not change until the last call to `solve()`, so the solver may refer to it. `blocks` are sets of
-  /// strongly coupled unknowns, for preconditioners. They are valid only during the call.
-  /// \return `SUCCESS`, or the reason why the system cannot be solved; `solve()` is not called then
+  /// receives a matrix, and may factorize it. `lower` contains only the lower triangle, in compressed columns with
+  /// ascending rows. It does not change until the last call to `solve()`, so the solver may refer to it. `blocks` are
+  /// sets of strongly coupled unknowns, for preconditioners. They are valid only during the call.
+  /// \return `SUCCESS`, or the reason why the system cannot be solved; in this case, `solve()` is not called
   CGAL::Bspline_shells::Solver_status compute(const Eigen::SparseMatrix<double>& lower,
                                               const CGAL::Bspline_shells::Unknown_blocks& blocks);
 

@@ -3,7 +3,7 @@
 \cgalConcept
 
 The concept `ShellThreshold` describes a bound of a shell: a number, or a function that is tricubic on the leaf cells of
-the field that it bounds. Predicates and certificate only access its range on a cell and its difference to the field.
+the field that it bounds. Predicates and certificate only access its range on a cell and its difference from the field.
 
 \cgalHasModel `CGAL::Bspline_shells::Constant_threshold`
 \cgalHasModel `CGAL::Bspline_shells::Spline_threshold`
@@ -19,7 +19,7 @@ public:
   /// returns the value of a constant threshold, in units of the field.
   double level() const;
 
-  /// returns whether both are the same function. Thresholds on other cells may count as different.
+  /// returns whether the two thresholds are the same function. Thresholds on other cells may count as different.
   bool operator==(const ShellThreshold& other) const;
 
   /// returns whether the threshold is tricubic on the leaf cells of a field: no cell of the field meets two of its

@@ -19,8 +19,8 @@ public:
   /// @{
 
   /// called when a step begins, by the thread that called `CGAL::bspline_shell_3()`. Steps are in the order of
-  /// `CGAL::Bspline_shells::Shell_step`. If the shell leaves the cells and more cells are added, steps from `CELLS` on
-  /// are repeated. Each round of refinement repeats the steps from `DISTANCE` on.
+  /// `CGAL::Bspline_shells::Shell_step`. If the shell reaches the boundary of the domain and cells are added, steps
+  /// from `CELLS` on are repeated. Each round of refinement repeats the steps from `DISTANCE` on.
   /// \return whether to continue; `false` ends the construction with `CGAL::Bspline_shells::Shell_status::CANCELED`
   bool start_step(CGAL::Bspline_shells::Shell_step step);
 

@@ -5,12 +5,12 @@
 The concept `SignedDistanceOracle_3` describes functors that return the signed distance of a point from a surface. The
 field of a shell is fitted to it.
 
-Near the mesh of the shell, the function should be a distance: across the mesh, it grows by about one per unit of
-length, in the direction that the facets face. If facets face outwards, it is negative inside. It is sampled in all
-cells of the field, at two points per cell and axis.
+Near the mesh of the shell, the function should be a distance: across the mesh, it increases by about one per unit of
+length, in the direction of the facets' normals. If these point outward, it is negative inside. It is sampled at eight
+points of each cell of the field, and at a few other points.
 
-The functor is called from several threads at once, unless a sequential construction is requested. If it is passed with
-`std::cref()`, it need be neither copyable nor assignable.
+The functor is called concurrently, unless a sequential construction is requested. If it is passed with `std::cref()`,
+it need be neither copyable nor assignable.
 
 \cgalHasModel `CGAL::Bspline_shells::Mesh_signed_distance_3`
 
@@ -34,7 +34,7 @@ public:
   /// \name Operations
   /// @{
 
-  /// returns the signed distance, in user units. It must be finite.
+  /// returns the signed distance, in the units of the input coordinates. It must be finite.
   FT operator()(const Point_3& p) const;
 
   /// @}

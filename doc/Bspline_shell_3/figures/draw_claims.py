@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws, in the plane, what goes wrong where one of the certificate's claims fails: level sets and integral curves of functions.
+"""Draws two-dimensional examples in which a claim of the certificate fails, with level sets and integral curves.
 
 Usage: draw_claims.py PICTURE.png
 """
@@ -57,7 +57,7 @@ class Panel:
         return np.array([self.f(p[0] + h, p[1]) - self.f(p[0] - h, p[1]), self.f(p[0], p[1] + h) - self.f(p[0], p[1] - h)]) / (2 * h)
 
     def curve(self, start, keep=None):
-        """The integral curve through a point as long as `keep` of its points, by default in the shell, by the midpoint rule."""
+        """Returns the integral curve through a point, by the midpoint rule, up to where `keep` is false (default: outside the shell)."""
         keep = keep or self.contains
         halves = []
         for step in (-STEP, STEP):
@@ -72,7 +72,7 @@ class Panel:
         return np.array([*halves[0][::-1], start, *halves[1]])
 
     def draw_curve(self, curve, lines, color):
-        """With an arrow at its end, and dots where it crosses lines."""
+        """Draws a curve with an arrow at its end, and dots where it crosses lines."""
         self.axes.plot(*curve.T, color=color, lw=1.3, zorder=3)
         draw_arrow(self.axes, curve[-8], curve[-1], color)
         hits = [h for line in lines for h in crossings(curve, line)]
@@ -84,7 +84,7 @@ class Panel:
 
 
 def crossings(curve, line):
-    """Where two polygonal lines cross."""
+    """Returns the points where two polygonal lines cross."""
     hits = []
     a, b = curve[:-1], curve[1:]
     for p, q in zip(line[:-1], line[1:]):
@@ -149,7 +149,7 @@ def transversality(axes):
         axes.plot(*mesh[n:n + 2].T, color=color, lw=2.6 if n == 3 else 1.8, zorder=5)
         foot, normal = (1 - t) * p + t * q, unit(np.array([p[1] - q[1], q[0] - p[0]]))
         draw_arrow(axes, foot, foot + 0.19 * normal, color, 10, 7, 1.6)
-    title(axes, "P2, transversality", "one facet faces down: curves\nmeet the mesh three times")
+    title(axes, "P2, transversality", "a facet faces against the gradient:\ncurves meet the mesh three times")
 
 
 def critical_point(axes):
@@ -188,7 +188,7 @@ def end_of_domain(axes):
     draw_on_strip(panel, strip_mesh(LEVELS), lambda curve: strip(*curve[-1]) < 0.4 - 2 * STEP)
     x = np.linspace(step, 1.5, 500)
     axes.plot(np.where(np.abs(strip(x, low)) < 0.4, x, np.nan), np.full(len(x), low), color=FAILURE, lw=2.6, zorder=4)
-    title(axes, "P3, domain", "the shell reaches the end of\nthe cells: curves are cut off")
+    title(axes, "P3, domain", "the shell reaches the boundary of\nthe domain: curves are cut off")
 
 
 def overhang(axes):
@@ -270,6 +270,6 @@ if __name__ == "__main__":
     fig.legend(handles=[Line2D([], [], color=MESH, marker="o", ms=3.2, lw=1.8, label="mesh"),
                         Line2D([], [], color=INNER, lw=2, label="inner surface"), Line2D([], [], color=OUTER, lw=2, label="outer surface"),
                         Line2D([], [], color=CURVE, lw=1.6, label="integral curve"),
-                        Line2D([], [], color=FAILURE, lw=2.6, label="what fails")],
+                        Line2D([], [], color=FAILURE, lw=2.6, label="failure")],
                loc="lower center", ncol=5, frameon=False, handlelength=1.6, columnspacing=1.8)
     save(fig, sys.argv[1])

@@ -1,4 +1,4 @@
-"""Draws meshes with colored facets: a union, and a bowl with two sides."""
+"""Draws meshes with colored facets: a union of solids, and a bowl with two sides."""
 import matplotlib.pyplot as plt
 import numpy as np
 import vtk
@@ -12,11 +12,11 @@ from rendering import edges, fit, painted, plane, render, show, surface, tubes
 
 
 def color_borders(data):
-    """The edges between facets of different colors."""
+    """Returns the edges between facets of different colors."""
     colors = vtk_to_numpy(data.GetCellData().GetScalars())
     triangles = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     sides = np.sort(np.concatenate([triangles[:, [i, (i + 1) % 3]] for i in range(3)]), axis=1)
-    order = np.lexsort(sides.T)             # both sides of an edge are neighbors then: the meshes are closed
+    order = np.lexsort(sides.T)             # makes the two sides of an edge neighbors, because the meshes are closed
     first, second = (colors[order[i::2] % len(triangles)] for i in (0, 1))
     ends = sides[order[::2]][(first != second).any(axis=1)]
     return vtk_to_numpy(data.GetPoints().GetData())[ends]
@@ -36,7 +36,7 @@ def draw_boolean(prefix, direction, up, picture):
 
 
 def section(data, cut):
-    """The line segments of a cut through a mesh, and the colors of the facets that they are on."""
+    """Returns the line segments of a cross section of a mesh, and the colors of their facets."""
     cutter = vtk.vtkCutter()
     cutter.SetInputData(data)
     cutter.SetCutFunction(cut)
@@ -53,14 +53,14 @@ def draw_sides(prefix, picture):
     fig = plt.figure(figsize=(WIDTH / DPI, 4.4))
     grid = fig.add_gridspec(2, 3, height_ratios=(290, 130))
     panels = ("painted", f"simplified and painted: {coarse.GetNumberOfPolys()} facets"), \
-             ("closest_point", "carried by the closest point"), ("shell_map", "carried by the map")
+             ("closest_point", "color of the closest point"), ("shell_map", "color of the image")
     view = fit(coarse, size, direction, up)
     for n, (part, title) in enumerate(panels):
         data = painted(f"{prefix}_{part}.ply")
         image = render([surface(data, ambient=0.35)] + ([edges(data, MESH, 0.5)] if part == "painted" else []), size, *view)
         show(fig.add_subplot(grid[0, n]), image, title)
 
-    # A cut through the wall, and the closest points of points inside the bowl.
+    # A cross section of the wall, and the closest points of points inside the bowl.
     axes = fig.add_subplot(grid[1, :])
     cut = plane((0, 0, 0), (0, 1, 0))
     for data, width in ((coarse, 3.5), (bowl, 1.5)):
@@ -81,7 +81,7 @@ def draw_sides(prefix, picture):
     axes.set_aspect("equal")
     axes.axis("off")
     handles = [Line2D([], [], color=color, lw=width, label=label)
-               for color, width, label in ((MESH, 1.5, "bowl, cut"), ("#fac850", 3.5, "simplified: inside"), (INNER, 3.5, "simplified: outside"),
+               for color, width, label in ((MESH, 1.5, "bowl"), ("#fac850", 3.5, "simplified: inside"), (INNER, 3.5, "simplified: outside"),
                                            (OUTER, 1, "to the closest point"))]
     fig.legend(handles=handles[:2], loc="lower left", frameon=False, handlelength=1.2)
     fig.legend(handles=handles[2:], loc="lower right", frameon=False, handlelength=1.2)

@@ -8,7 +8,7 @@ from rendering import balls, edges, plane, render, show, surface, tubes
 
 
 def spread(curves, distance):
-    """Some of the curves, whose outer ends are so far from each other."""
+    """Returns some of the curves, whose outer ends have at least this distance from each other."""
     kept = []
     for c in curves:
         if all(np.linalg.norm(c[-1] - k[-1]) > distance for k in kept):
@@ -23,7 +23,7 @@ def draw_curves(prefix, picture):
     b = mesh.GetBounds()
     middle = (b[2] + b[3]) / 2
 
-    # layers taken off one by one, along the longest side
+    # layers are removed one by one along the longest side
     def part(data, from_, to):
         return half(half(data, plane((0, 0, from_), (0, 0, 1))), plane((0, 0, to), (0, 0, -1)))
 
@@ -33,7 +33,7 @@ def draw_curves(prefix, picture):
               tubes([c[2:] for c in curves if c[0, 2] > first], CURVE, 0.0022)]
     left_view = render(layers, (570, 930), (0.0, middle, -0.01), (0.25, 1, 0.35), (0, 0, 1), 1.12)
 
-    # a part of the half below the plane
+    # a part of the lower half
     cut = plane((0, middle, 0), (0, -1, 0))
     at_cut = spread([c for c in curves if abs(c[0, 1] - middle) < 1e-6], 0.03)
     below = [surface(half(inner, cut), INNER), surface(half(outer, cut), OUTER, 0.3), surface(half(mesh, cut), FACET),

@@ -1,6 +1,4 @@
-"""Draws meshes before and after they are edited in their shells: remeshed, closed, truncated."""
-
-
+"""Draws meshes before and after they are remeshed, closed, or truncated."""
 from palette import FACET, MESH, OUTER, figure, save
 from render_shell import read
 from rendering import borders, creases, edges, fit, render, show, surface
@@ -25,7 +23,7 @@ def draw_closing(prefixes, picture):
         mesh, closing, simplified = (read(f"{prefix}_{part}.ply") for part in ("mesh", "closing", "simplified"))
         view = fit(closing if closing.GetNumberOfPolys() > mesh.GetNumberOfPolys() else mesh, size, direction, up)
         for ax, data, more, what in zip(axes, (mesh, mesh, simplified), ([], [surface(closing, OUTER, ambient=0.3), edges(closing, MESH, 0.4)], []),
-                                        ("open", "closed virtually", "simplified")):
+                                        ("open", "virtually closed", "simplified")):
             image = render([surface(data, FACET, ambient=0.3), edges(data, MESH, 0.4), borders(data)] + more, size, *view)
             show(ax, image, f"{what}: {data.GetNumberOfPolys() + (closing.GetNumberOfPolys() if more else 0)} facets")
     fig.subplots_adjust(0.005, 0.0, 0.995, 0.95, 0.02, 0.08)
@@ -38,7 +36,7 @@ def draw_truncation(prefix, center, picture):
     mesh, truncated, simplified = (read(f"{prefix}_{part}.ply") for part in ("mesh", "truncated", "simplified"))
     whole = fit(mesh, size, direction, up)
     near = center, direction, up, 0.09
-    for ax, data, view, what in zip(axes, (mesh, truncated, simplified), (whole, near, whole), ("mesh", "truncated, at the vertex", "simplified")):
+    for ax, data, view, what in zip(axes, (mesh, truncated, simplified), (whole, near, whole), ("mesh", "truncated, near the vertex", "simplified")):
         image = render([surface(data, FACET, ambient=0.3), edges(data, MESH, 0.8)], size, *view)
         show(ax, image, f"{what}: {data.GetNumberOfPolys()} facets")
     fig.subplots_adjust(0.005, 0.0, 0.995, 0.93, 0.02)

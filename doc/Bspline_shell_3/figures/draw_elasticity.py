@@ -1,4 +1,4 @@
-"""Draws a solid that is bent."""
+"""Draws the bending of a solid."""
 import numpy as np
 import vtk
 from matplotlib import colormaps
@@ -32,7 +32,7 @@ def draw_elasticity(name, prefix, picture):
     solid = reader.GetOutput()
     proxy = grid_surface(solid)
 
-    # whole tetrahedra, behind the middle
+    # whole tetrahedra behind the plane through the middle
     b = mesh.GetBounds()
     extract = vtk.vtkExtractGeometry()
     extract.SetInputData(solid)
@@ -57,9 +57,9 @@ def draw_elasticity(name, prefix, picture):
     size = 650, 520
     fig, rows = figure(2, 2, 760)
     views = [(mesh, [surface(mesh, FACET, ambient=0.3), edges(mesh, MESH, 0.8)], f"mesh: {mesh.GetNumberOfPolys()} facets"),
-             (mesh, [surface(proxy, FACET, ambient=0.3), edges(proxy, MESH, 0.8)], f"proxy: {proxy.GetNumberOfPolys()} facets"),
+             (mesh, [surface(proxy, FACET, ambient=0.3), edges(proxy, MESH, 0.8)], f"remeshed mesh: {proxy.GetNumberOfPolys()} facets"),
              (mesh, [surface(opened, FACET, ambient=0.3), edges(opened, MESH, 0.8)], f"filled with {solid.GetNumberOfCells()} tetrahedra, cut open"),
-             (bent, [colored, edges(bent, MESH, 0.5)], f"mesh, bent: moved by up to {moves.max():.2f} of the box")]
+             (bent, [colored, edges(bent, MESH, 0.5)], f"bent mesh: moved up to {100 * moves.max():.0f} % of the box size")]
     for ax, (seen, actors, title) in zip(rows.ravel(), views):
         show(ax, render(actors, size, *fit(seen, size, (0.3, -0.8, 0.6), (0, 0, 1))), title)
     fig.subplots_adjust(0.005, 0.0, 0.995, 0.96, 0.02, 0.08)

@@ -1,4 +1,4 @@
-"""Draws fields of directions at the facets of meshes by evenly spaced streamlines, and their singularities."""
+"""Draws direction fields on meshes by evenly spaced streamlines, and their singularities."""
 import numpy as np
 import vtk
 from matplotlib.lines import Line2D
@@ -8,13 +8,13 @@ from palette import FACET, INNER, OUTER, figure, save
 from rendering import balls, edges, fit, polydata, render, show, surface, tubes
 
 LINE, EDGE = "#1f5a78", "#a39d90"
-DISTANCE, LENGTH = 0.016, 0.35      # spacing of streamlines and length of their halves, parts of the box
+DISTANCE, LENGTH = 0.016, 0.35      # spacing of streamlines and length of their halves, relative to the box size
 SEEDS = 8000
 SEED = 1                # seed of the random numbers
 
 
 def read_field(name):
-    """Points, triangles, vectors of facets, and the singularities' places and indices, of an ASCII file."""
+    """Reads points, triangles, vectors of facets, and positions and indices of singularities from an ASCII file."""
     with open(name) as rows:
         elements = []
         for row in rows:
@@ -42,7 +42,7 @@ def unit(v):
 
 
 class Flow:
-    """A field on a closed mesh that is continuous, but for the angles between facets: N-th powers at corners, interpolated on each facet."""
+    """A field on a closed mesh: N-th powers at corners, interpolated on each facet; continuous up to the angles between facets."""
 
     def __init__(self, points, triangles, vectors, directions):
         self.directions = directions
@@ -61,15 +61,15 @@ class Flow:
         self._interpolate(triangles, vectors, sides)
 
     def _connect(self, triangles):
-        """The neighbor across each edge, and the number of the edge there."""
+        """Stores the neighbor across each edge, and the index of the edge in the neighbor."""
         ends = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=-1).reshape(-1, 2)
-        order = np.lexsort(np.sort(ends, axis=1).T)         # both sides of an edge are neighbors then
+        order = np.lexsort(np.sort(ends, axis=1).T)         # makes the two sides of an edge neighbors
         other = np.empty(len(ends), int)
         other[order[::2]], other[order[1::2]] = order[1::2], order[::2]
         self.across = np.stack(np.divmod(other, 3), axis=-1).reshape(-1, 3, 2)
 
     def _interpolate(self, triangles, vectors, sides):
-        """At each corner the mean of the facets at the vertex, rotated into the plane of the corner's facet, weighted by angles."""
+        """Stores, at each corner, the mean of the facets at the vertex, weighted by angles and rotated into the plane of the facet."""
         angles = np.arccos(np.clip(-dot(unit(sides), np.roll(unit(sides), 1, axis=1)), -1, 1)).ravel()
         corners = np.argsort(triangles.ravel(), kind="stable")
         valence = np.bincount(triangles.ravel())
@@ -89,7 +89,7 @@ class Flow:
         self.powers = powers.reshape(-1, 3)
 
     def direction(self, f, p, last, powers):
-        """That of the field's N directions which is closest to the last one."""
+        """Returns the one of the N directions of the field that is closest to the last direction."""
         weights = np.roll(dot(self.inwards[f], p[:, None] - self.corners[f]) / self.heights[f], -1, axis=1)
         full = 2 * np.pi / self.directions
         angle = np.angle((weights * powers[f]).sum(axis=1)) / self.directions
@@ -100,14 +100,14 @@ class Flow:
         return np.einsum("fi,fij->fj", v, self.axes[f])
 
     def trace(self, f, p, d, sign, length, step):
-        """Lines along the field, or against it, from points in facets: for each line arrays of points, directions and normals."""
+        """Traces lines along the field, or against it, from points in facets. Returns arrays of points, directions, and normals for each line."""
         powers = self.powers * float(sign)**self.directions
         line, passed, stuck = np.arange(len(f)), np.zeros(len(f)), np.zeros(len(f), int)
         places, d, number = [], sign * d, len(f)
         while len(line):
             last, d = d, self.direction(f, p, d, powers)
             places.append((line, self.origins[f] + self.in_space(f, p), self.in_space(f, d), self.normals[f]))
-            # the field turns fast at singularities only
+            # the field turns fast only at singularities
             keep = (dot(d, last) > 0.5) & (passed < length) & (stuck < 4)
             f, p, d, line, passed, stuck = (values[keep] for values in (f, p, d, line, passed, stuck))
             rate = dot(self.inwards[f], d[:, None])
@@ -130,7 +130,7 @@ class Flow:
 
 
 class Crowd:
-    """Places on lines, found by the cells of a grid."""
+    """A search structure for points on lines, with the cells of a grid."""
 
     def __init__(self, size):
         self.size = size
@@ -144,7 +144,7 @@ class Crowd:
             self.cells.setdefault(self.cell(place[0]), []).append(place)
 
     def is_near(self, p, direction, normal, distance):
-        """Whether a line that is nearly parallel, and on the same side, is as near as that, which is at most the size of a cell."""
+        """Returns whether there is a nearly parallel line on the same side within this distance, at most the size of a cell."""
         i, j, k = self.cell(p)
         for cell in ((i + a, j + b, k + c) for a in (-1, 0, 1) for b in (-1, 0, 1) for c in (-1, 0, 1)):
             for q, other_direction, other_normal in self.cells.get(cell, ()):
@@ -155,14 +155,14 @@ class Crowd:
 
 
 def thinned(places, distance):
-    """A line with points about so far from each other."""
+    """Returns a line whose points have about this distance from each other."""
     passed = np.cumsum(np.linalg.norm(np.diff(places[0], axis=0), axis=1)) // distance
     kept = np.concatenate([[0], 1 + np.flatnonzero(np.diff(passed, prepend=0))])
     return [values[kept] for values in places]
 
 
 def streamlines(flow, size):
-    """Lines that begin DISTANCE from all others, and end where they would come nearer than half of that."""
+    """Returns lines that begin at least DISTANCE from all others, and end where they would come closer than half of it."""
     random = np.random.default_rng(SEED)
     distance = DISTANCE * size
     f = random.choice(len(flow.areas), SEEDS, p=flow.areas / flow.areas.sum())
@@ -189,7 +189,7 @@ def streamlines(flow, size):
 
 
 def arrows(lines, color, size):
-    """A cone in the middle of each line."""
+    """Returns cones in the middle of the lines."""
     middles = [(line[len(line) // 2], line[len(line) // 2 + 1] - line[len(line) // 2]) for line in lines]
     data = polydata([p for p, _ in middles])
     data.GetPointData().SetVectors(numpy_to_vtk(np.array([d for _, d in middles]), deep=True))
@@ -209,7 +209,7 @@ def arrows(lines, color, size):
 
 
 def draw_fields(rows_of_panels, picture):
-    """Each row: the number of directions, the prefix of files of transfer_direction_field, direction of view, and up."""
+    """Draws rows of two panels. Each row: number of directions, folder of the output of transfer_direction_field, direction of view, and up."""
     size = 650, 560
     fig, rows = figure(len(rows_of_panels), 2, 420 * len(rows_of_panels))
     for axes, (directions, prefix, direction, up) in zip(rows, rows_of_panels):

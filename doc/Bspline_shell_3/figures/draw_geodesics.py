@@ -10,7 +10,7 @@ from rendering import edges, fit, render, show, surface
 
 
 def vertex_values(name):
-    """What vertices have in an ASCII file, by name: the reader drops what it does not know."""
+    """Returns the vertex attributes of an ASCII file, by name. VTK's reader drops attributes that it does not support."""
     with open(name) as rows:
         names = []
         for row in rows:
@@ -26,7 +26,7 @@ def vertex_values(name):
 
 
 def with_isolines(data, values, unit, number):
-    """Bands of color, and lines between them."""
+    """Returns colored bands of values, and the isolines between them."""
     data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(values), deep=True))
     bands = vtk.vtkBandedPolyDataContourFilter()
     bands.SetInputData(data)
@@ -57,9 +57,9 @@ def draw_geodesics(prefix, direction, up, picture):
               with_isolines(mesh, exact, unit, number), [surface(proxy, FACET, ambient=0.3), edges(proxy, MESH, 0.3)],
               with_isolines(proxy, vertex_values(f"{prefix}_proxy.ply")["distance"], unit, number), with_isolines(mesh, values["distance"], unit, number)]
     def off(name):
-        return f"{100 * np.abs(values[name] - exact).mean() / exact.max():.1f} % off"
+        return f"{100 * np.abs(values[name] - exact).mean() / exact.max():.1f} % error"
     titles = (f"mesh: {mesh.GetNumberOfPolys()} facets", f"heat method: {off('direct')}", "exact distances",
-              f"proxy: {proxy.GetNumberOfPolys()} facets", "heat method", f"carried back: {off('distance')}")
+              f"remeshed mesh: {proxy.GetNumberOfPolys()} facets", "heat method", f"transferred back: {off('distance')}")
     for axes, panel, title in zip(rows.flat, panels, titles):
         show(axes, render(panel, size, *view), title)
     fig.subplots_adjust(0.005, 0.0, 0.995, 0.95, 0.02, 0.08)

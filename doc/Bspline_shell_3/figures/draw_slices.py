@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws sections of shells: a threshold that is narrower at a gap, and what the rounds of refinement do.
+"""Draws cross sections of shells: a threshold that is narrowed at a gap, and the rounds of refinement.
 
 Usage: draw_slices.py PREFIX PICTURES
 """
@@ -16,13 +16,13 @@ from palette import CELL, CURVE, FAILURE, INNER, MESH, OUTER, SHELL, figure, sav
 from slices import Slice, section
 
 Z = 0.0                 # height of the plane
-NEAR = 0.02             # largest distance of points shown in the plane: less than a cell
+NEAR = 0.02             # largest distance of shown points from the plane; smaller than a cell
 BODY = (-0.335, 0.335, -0.55, 0.552)        # windows
 GAP = (-0.085, 0.085, -0.518, -0.375)
 
 
 class Section:
-    """The section of a shell, after a round of refinement, with the plane z = Z."""
+    """The cross section of a shell after a round of refinement, with the plane z = Z."""
 
     def __init__(self, prefix, round_):
         self.field, self.inner, self.outer = (Slice(f"{prefix}_{round_}_{part}.vtu", 2, Z) for part in ("field", "inner", "outer"))
@@ -38,7 +38,7 @@ class Section:
         return [Rectangle(c, w, w) for n, (c, w) in enumerate(zip(self.field.corner, self.field.width)) if keep is None or keep[n]]
 
     def split_in(self, finer):
-        """Which cells of the section are split in another one."""
+        """Returns which cells of the section are split in a finer one."""
         there = {(*c, w) for c, w in zip(finer.field.corner, finer.field.width)}
         return [(*c, w) not in there for c, w in zip(self.field.corner, self.field.width)]
 
@@ -84,8 +84,8 @@ def draw_gap(prefix, rounds, picture):
     fig.subplots_adjust(0.005, 0.17, 0.995, 0.99, 0.02)
     bar = fig.colorbar(shown, cax=fig.add_axes([0.53, 0.125, 0.42, 0.025]), orientation="horizontal", ticks=[0, 0.5, 1])
     bar.ax.set_xticklabels(["0", "50 %", "100 %"])
-    bar.set_label("thickness, of the one asked for")
-    legend(fig, [Line2D([], [], color=OUTER, lw=1.6, ls=dots, label="the outer one at full thickness")], loc="lower left", ncol=2)
+    bar.set_label("thickness / requested thickness")
+    legend(fig, [Line2D([], [], color=OUTER, lw=1.6, ls=dots, label="outer surface at full thickness")], loc="lower left", ncol=2)
     save(fig, picture)
 
 
@@ -102,11 +102,11 @@ def draw_rounds(prefix, rounds, picture):
                 ax.add_collection(PatchCollection(s.squares(s.split_in(states[k + 1])), facecolor=FAILURE, alpha=0.22, linewidth=0, zorder=3))
         near = s.failures[np.abs(s.failures[:, 2] - Z) < NEAR]
         gap.plot(near[:, 0], near[:, 1], "x", color=FAILURE, ms=7, mew=1.8, zorder=6)
-        what = f"{s.thick} too thick" if s.thick else f"{s.undecided} undecided" if s.undecided else "certified"
+        what = f"{s.thick} cells too thick" if s.thick else f"{s.undecided} undecided places" if s.undecided else "certified"
         body.set_title(f"round {k + 1}: {s.cells} cells,\n{what}", pad=4)
     fig.subplots_adjust(0.005, 0.05, 0.995, 0.945, 0.03, 0.03)
     legend(fig, [Patch(facecolor=FAILURE, alpha=0.22, label="split next"),
-                 Line2D([], [], color=FAILURE, marker="x", ms=7, mew=1.8, ls="", label="gradient: undecided or zero")], loc="lower center", ncol=5)
+                 Line2D([], [], color=FAILURE, marker="x", ms=7, mew=1.8, ls="", label="gradient undecided or zero")], loc="lower center", ncol=5)
     save(fig, picture)
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Draws what resolution_benchmark and weights_benchmark print and write: what the paper's gamma and mu do.
+"""Draws the output of resolution_benchmark and weights_benchmark: the effects of the paper's gamma and mu.
 
-Usage: draw_studies.py PREFIX PICTURE.png           surfaces of the shells of the armadillo of which PREFIX.jsonl is a list
+Usage: draw_studies.py PREFIX PICTURE.png           surfaces of the shells of the armadillo that PREFIX.jsonl lists
 """
 import json
 import sys
@@ -25,13 +25,13 @@ LOST = "#5a5f66"
 
 
 def label(parameter):
-    """In names of files."""
+    """Returns the part of a file name that denotes a parameter."""
     return CERTIFIED if parameter is None else f"{parameter:g}"
 
 
 def title(shell):
-    """Of a shell as resolution_benchmark printed it."""
-    what = "ours" if shell["gamma"] is None else f"γ = {shell['gamma']:g}"
+    """Returns the title of a shell that resolution_benchmark printed."""
+    what = "refined cells" if shell["gamma"] is None else f"γ = {shell['gamma']:g}"
     return f"{what}\n|f| ≤ {100 * shell['largest_value']:.2g} %"
 
 
@@ -47,7 +47,7 @@ def draw_surfaces(prefix, shells, direction, up, picture):
 
 
 class Grid:
-    """Values on a plane, as resolution_benchmark wrote them."""
+    """Values on a plane, written by resolution_benchmark."""
 
     def __init__(self, name, axis):
         with open(name) as lines:
@@ -58,13 +58,13 @@ class Grid:
         self.window = self.x[0], self.x[-1], self.y[0], self.y[-1]
 
     def value_at(self, points):
-        """At the nearest point of the grid."""
+        """Returns the values at the nearest points of the grid."""
         step = self.x[1] - self.x[0]
         return self.f[tuple(np.rint((points[:, a] - origin) / step).astype(int) for a, origin in ((1, self.y[0]), (0, self.x[0])))]
 
 
 def draw_sections(prefix, shells, axis, magnified, picture):
-    """On the plane across an axis. `magnified` is a window in it."""
+    """Draws cross sections perpendicular to an axis, and enlarges the window `magnified`."""
     most = 0.04
     colors = LinearSegmentedColormap.from_list("f", colormaps["RdBu_r"](np.linspace(0.15, 0.85, 256)))
     fig, rows = figure(2, len(shells), 475, gridspec_kw={"height_ratios": [207, 138]})
@@ -88,13 +88,13 @@ def draw_sections(prefix, shells, axis, magnified, picture):
     fig.text(0.68, 0.085, "f", ha="center", va="center")
     fig.legend(handles=[Line2D([], [], color=INNER, lw=2, label="inner surface"), Line2D([], [], color=MESH, lw=2, label="mesh"),
                         Line2D([], [], color=OUTER, lw=2, label="outer surface"),
-                        Line2D([], [], color=FAILURE, marker="o", mfc="none", ms=9, mew=1.8, ls="", label="largest |f| in the cut")],
+                        Line2D([], [], color=FAILURE, marker="o", mfc="none", ms=9, mew=1.8, ls="", label="largest |f| in the section")],
                loc="lower left", ncol=4, frameon=False, handlelength=1.3, columnspacing=1.1)
     save(fig, picture)
 
 
 def draw_impact(found, picture):
-    """What resolution_benchmark printed about some meshes."""
+    """Draws the numbers that resolution_benchmark printed for some meshes."""
     equal, ours = [f for f in found if f["gamma"]], [f for f in found if not f["gamma"]]
     gammas = sorted({f["gamma"] for f in equal})
     fig, ((time, thickness, proved),) = figure(1, 3, 340)
@@ -107,7 +107,7 @@ def draw_impact(found, picture):
     proved.bar(gammas, [100 * np.mean([f["certified"] for f in equal if f["gamma"] == g]) for g in gammas], 12, color=MESH)
     proved.axhline(100 * np.mean([f["certified"] for f in ours]), color=CURVE, lw=2.4, ls="--")
     proved.set_ylim(0, 105)
-    for axes, name in ((time, "seconds"), (thickness, "thickness, % of the box"), (proved, "proved one-to-one, % of meshes")):
+    for axes, name in ((time, "seconds"), (thickness, "thickness, % of the box size"), (proved, "proved one-to-one, % of meshes")):
         axes.set_title(name, pad=5, fontsize=11)
         axes.set_xticks(gammas)
         axes.set_xlabel("γ", labelpad=1)
@@ -116,13 +116,13 @@ def draw_impact(found, picture):
     fig.subplots_adjust(0.035, 0.24, 0.995, 0.92, 0.16)
     fig.legend(handles=[Line2D([], [], color=CELL, lw=1, label="equal cells, each mesh"),
                         Line2D([], [], color=MESH, marker="o", ms=5, lw=2.4, label="equal cells, mean"),
-                        Line2D([], [], color=CURVE, lw=2.4, ls="--", label="ours, mean: cells as the proof needs them")],
+                        Line2D([], [], color=CURVE, lw=2.4, ls="--", label="refined cells, mean")],
                loc="lower center", ncol=3, frameon=False, handlelength=1.8, columnspacing=1.8)
     save(fig, picture)
 
 
 def draw_weights(prefix, found, direction, up, picture):
-    """What weights_benchmark wrote and printed about shells of one mesh."""
+    """Draws the output of weights_benchmark for one mesh."""
     size, number = (360, 330), 14
     mesh, values = read(f"{prefix}_mesh.ply"), vertex_values(f"{prefix}_mesh.ply")["distance"]
     diagonal = np.linalg.norm(np.ptp(vtk_to_numpy(mesh.GetPoints().GetData()), axis=0))
@@ -133,7 +133,7 @@ def draw_weights(prefix, found, direction, up, picture):
             points = np.array(lines.read().split(), float).reshape(-1, 4)
         actors = [balls(points[which, :3], color, 0.007 * diagonal) for which, color in ((points[:, 3] < 0, LOST), (points[:, 3] > 0, FAILURE))
                   if which.any()]
-        name = "ours" if shell["mu"] is None else f"$\\mu = 10^{{{np.log10(shell['mu']):.0f}}}$"
+        name = "certified" if shell["mu"] is None else f"$\\mu = 10^{{{np.log10(shell['mu']):.0f}}}$"
         show(view, render([*isolines, *actors], size, *fit(mesh, size, direction, up)), f"{name}\n{100 * shell['thickness']:.2g} % thick")
         distances, share = shell["distances"], 100 / shell["points"]
         errors = share * np.array(distances["errors"])
@@ -142,12 +142,12 @@ def draw_weights(prefix, found, direction, up, picture):
         bars.set(xlim=(0.02, 0.4), ylim=(0.001, 600), yscale="log", xticks=[0.03, 0.3], yticks=[0.001, 0.01, 0.1, 1, 10, 100])
         bars.set_yticklabels([f"{y:g} %" for y in bars.get_yticks()] if n == 0 else [])
         bars.minorticks_off()
-        bars.text(0.4, 180, f"{errors.sum():.2g} % are off" if errors.any() else "none is off", ha="right", color=FAILURE)
-        bars.text(0.4, 50, f"{share * distances['missing']:.2g} % get none" if distances["missing"] else "all get one", ha="right", color=LOST)
+        bars.text(0.4, 180, f"{errors.sum():.2g} % wrong" if errors.any() else "none wrong", ha="right", color=FAILURE)
+        bars.text(0.4, 50, f"{share * distances['missing']:.2g} % missing" if distances["missing"] else "none missing", ha="right", color=LOST)
         for side in ("top", "right"):
             bars.spines[side].set_visible(False)
     fig.subplots_adjust(0.085, 0.13, 0.995, 0.9, 0.08, 0.06)
-    fig.text(0.5, 0.015, "points by the error of the distance that comes back, from 0.03 of the box, and those that get none", ha="center")
+    fig.text(0.5, 0.015, "error of the distance after the round trip, from 0.03 of the box size; missing distances (gray)", ha="center")
     save(fig, picture)
 
 

@@ -1,4 +1,4 @@
-"""Draws meshes with a texture: a simplified one, and a proxy of polygons."""
+"""Draws meshes with a texture: a simplified mesh, and a proxy of polygons."""
 import numpy as np
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk
@@ -7,7 +7,7 @@ from palette import MESH, OUTER, figure, rgb, save
 from render_shell import half, outline, read
 from rendering import edges, fit, polydata, render, show, surface
 
-CHECKS = (64, 140, 140), (246, 236, 214)        # colors; 16 of them along a unit of the texture
+CHECKS = (64, 140, 140), (246, 236, 214)        # colors; 16 squares along a unit of the texture
 
 
 def checkerboard():
@@ -35,7 +35,7 @@ def textured(name):
 def draw_soup(prefix, picture):
     size, direction, up = (430, 560), (0.35, -1, 0.25), (0, 0, 1)
     fig, (axes,) = figure(1, 3, 390)
-    for ax, what, title in zip(axes, ("before", "after"), ("polygons", "proxy, simplified")):
+    for ax, what, title in zip(axes, ("before", "after"), ("polygons", "simplified proxy")):
         data, actor = textured(f"{prefix}_{what}.txt")
         view = fit(data, size, direction, up)
         show(ax, render([actor, edges(data, MESH, 0.4)], size, *view), f"{title}: {data.GetNumberOfPolys()} facets")
@@ -45,7 +45,7 @@ def draw_soup(prefix, picture):
     shares, proxy = read(f"{prefix}_shares.ply"), read(f"{prefix}_proxy.ply")
     shares.GetCellData().SetActiveScalars("RGBA")
     behind = half(shares, plane)
-    show(axes[2], render([surface(behind), edges(behind, MESH, 0.3), outline(proxy, plane, rgb(OUTER), 2.5)], size, *view), "cut: carried and hidden; proxy")
+    show(axes[2], render([surface(behind), edges(behind, MESH, 0.3), outline(proxy, plane, rgb(OUTER), 2.5)], size, *view), "cross section")
     fig.subplots_adjust(0.005, 0.0, 0.995, 0.94, 0.02)
     save(fig, picture)
 

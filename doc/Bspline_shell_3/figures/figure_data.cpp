@@ -1,15 +1,16 @@
-// Writes the data of the manual's figures. make_figures.sh lists the calls.
+// Writes the data of figures of the manual. make_figures.sh lists the calls.
 //
 //   figure_data rounds  MESH PREFIX THICKNESS           the shell after each round of refinement
 //   figure_data curves  MESH PREFIX THICKNESS FACETS    a simplified mesh, the surfaces of the shell, and curves
 //                       between them
 //   figure_data remesh  MESH PREFIX THICKNESS EDGES     a remeshed mesh, EDGES along the longest side of the box
 //   figure_data open    MESH PREFIX THICKNESS FACETS    the closing of an open mesh, and a simplified mesh
-//   figure_data sides  MESH PREFIX THICKNESS            colors of the two sides of a bowl, carried by the closest point
-//                      and by the map
+//   figure_data sides   MESH PREFIX THICKNESS           colors of the two sides of a bowl, transferred from the
+//                       closest points and by the map
 //   figure_data texture MESH PREFIX THICKNESS FACETS    a simplified mesh with the texture coordinates of the mesh
-//   figure_data soup    PREFIX                          polygons that intersect each other, and a simplified proxy with
-//                       their texture coordinates
+//   figure_data truncate MESH PREFIX THICKNESS FACETS   the truncated mesh, and a simplified mesh
+//   figure_data soup    PREFIX                          intersecting polygons, and a simplified proxy with their
+//                       texture coordinates
 #include "../../../examples/Bspline_shell_3/broken_models.h"
 #include "../../../examples/Bspline_shell_3/example_output.h"
 
@@ -83,26 +84,26 @@ void write_state(const std::string& prefix, const Shell& shell, double thickness
   require(failures.flush() && numbers.flush(), "A round cannot be written.");
 }
 
-// A limit of memory between what two rounds need ends the construction after the first of them. It expects 2000 bytes
-// for a cell and 5000 for a lattice point, of which there are at least as many as unknowns.
+// A construction ends before the first round that is estimated to exceed the memory limit, and reports this estimate,
+// which is the limit for one more round. The first limit is the smallest one that is accepted for the root cells.
 void write_rounds(const Mesh& mesh, const std::string& prefix, double thickness)
 {
   const Shell shell = certified_shell(mesh, thickness);
-  const std::vector<BS::Refinement_round>& rounds = shell.report().rounds;
-  for(std::size_t n = 1; n < rounds.size(); ++n) {
-    const double growth = double(rounds[n].cells) / double(rounds[n - 1].cells);
-    const double limit = growth * (2000. * double(rounds[n - 1].cells) + 5000. * double(rounds[n - 1].unknowns)) - 1;
+  const std::size_t rounds = shell.report().rounds.size();
+  double limit = 1e4 * double(shell.report().surface_cells);
+  for(std::size_t n = 1; n < rounds; ++n) {
     const Shell state = CGAL::certified_bspline_shell_3(
       mesh, BS::parameters::relative_thickness(thickness).memory_limit(limit));
     require(bool(state), state.message());
-    require(state.report().rounds.size() == n, "The limit of memory does not end the construction after this round.");
+    require(state.report().rounds.size() == n, "The memory limit does not end the construction after this round.");
     write_state(prefix + "_" + std::to_string(n), state, thickness);
+    limit = state.report().limit.bytes;
   }
-  write_state(prefix + "_" + std::to_string(rounds.size()), shell, thickness);
+  write_state(prefix + "_" + std::to_string(rounds), shell, thickness);
 }
 
-// The part in the shell of the integral curve through a point, in steps by which the field grows, shorter ones at the
-// ends.
+// Returns the part of the integral curve through a point that is in the shell. Consecutive points differ by `step` in
+// the value of the field, and by less at the ends.
 std::vector<Point> curve(const BS::Gradient_flow_3<Shell>& flow, const Point& p, double step)
 {
   std::vector<Point> points = { p };
@@ -118,15 +119,18 @@ std::vector<Point> curve(const BS::Gradient_flow_3<Shell>& flow, const Point& p,
   return points;
 }
 
-// Curves through the vertices of the mesh, and through the points where its edges meet the plane through the middle of
-// its box, across its shortest side; and where they meet both meshes.
+// Writes curves, and the points where they meet both meshes. The curves pass through the vertices of the mesh, and
+// through the points where its edges meet a plane: the one through the middle of the bounding box that is perpendicular
+// to the shortest side.
 void write_curves(const Mesh& mesh, const std::string& prefix, double thickness, std::size_t facets)
 {
   const Shell shell = certified_shell(mesh, thickness);
   const Mesh coarse = simplified(mesh, shell, facets);
   require(write_mesh(prefix + "_simplified.ply", coarse), "A mesh cannot be written.");
-  require(write_surface(prefix + "_inner.ply", shell, shell.inner_threshold()) == 0, "No inner surface.");
-  require(write_surface(prefix + "_outer.ply", shell, shell.outer_threshold()) == 0, "No outer surface.");
+  require(write_surface(prefix + "_inner.ply", shell, shell.inner_threshold()) == 0,
+          "The inner surface was not written.");
+  require(write_surface(prefix + "_outer.ply", shell, shell.outer_threshold()) == 0,
+          "The outer surface was not written.");
 
   const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
   int axis = 0;
@@ -192,7 +196,7 @@ void truncate(const Mesh& mesh, const std::string& prefix, double thickness, std
           "A mesh cannot be written.");
 }
 
-// corners one by one, as they have texture coordinates of their own
+// Writes the corners one by one, because each has its texture coordinates.
 void write_textured(const std::string& file, const Mesh& mesh, Texture_coordinates uv)
 {
   std::ofstream out(file);
@@ -203,8 +207,8 @@ void write_textured(const std::string& file, const Mesh& mesh, Texture_coordinat
   require(bool(out.flush()), "A textured mesh cannot be written.");
 }
 
-// around the vertical axis through the middle of the box, and along it; facets across the seam behind are on one side
-// of it
+// The texture is wrapped around the vertical axis through the middle of the bounding box. Facets that cross the seam at
+// the back get the coordinates of one side.
 void transfer_texture(Mesh mesh, const std::string& prefix, double thickness, std::size_t facets)
 {
   const Shell shell = certified_shell(mesh, thickness);
@@ -254,7 +258,7 @@ void write_proxy(const std::string& prefix)
                : p == BS::Soup_point::CONTINUED ? CGAL::IO::Color(235, 190, 60)
                                                 : CGAL::IO::Color(170, 170, 170);
   }
-  // the map refers to the soup's mesh in the proxy, which has the same facets
+  // The map refers to the mesh of the soup in the proxy, which has the same facets.
   auto uv_of = boost::make_function_property_map<Mesh::Halfedge_index>([&](Mesh::Halfedge_index h) { return uv[h]; });
   require(bool(BS::transfer_corner_attribute(map, uv_of, uv_on_coarse)), "Some facets have no texture coordinates.");
   write_textured(prefix + "_before.txt", soup, uv);
@@ -263,8 +267,8 @@ void write_proxy(const std::string& prefix)
           "A mesh cannot be written.");
 }
 
-// A bowl around the origin is simplified and gets a color inside and one outside. These are carried back: each of 16
-// parts of a facet of the bowl has the color of the facet to which its middle is mapped.
+// Simplifies a bowl around the origin, and gives it one color inside and another outside. Transfers the colors back:
+// each of 16 parts of a facet of the bowl has the color of the facet to which its middle is mapped.
 void write_sides(const Mesh& mesh, const std::string& prefix, double thickness)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;

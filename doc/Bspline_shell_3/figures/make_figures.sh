@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Draws the figures of the manual in doc/Bspline_shell_3/fig again (Debian 12):
+# Generates the figures of the manual in doc/Bspline_shell_3/fig (Debian 12):
 #   bash doc/Bspline_shell_3/figures/make_figures.sh
 # Installs missing packages, builds the programs of the gallery, runs them on meshes of the Debian package libcgal-demo,
-# and draws their output. examples/Bspline_shell_3/render_shell.py draws the pictures of shells of the elephant.
+# and draws their output. The two figures of the elephant are drawn by examples/Bspline_shell_3/render_shell.py, from the
+# output of build_shell (elephant_shell.png) and simplify_and_transfer (elephant_simplified.png).
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 . cmake/install_packages.sh
@@ -39,13 +40,13 @@ cp "$build/data/meshes/anchor.off" "$data/bent"
 echo "elastic_proxy anchor.off 25"
 (cd "$data/bent" && "$build/elastic_proxy" anchor.off 25)
 
-export PYTHONPATH=examples/Bspline_shell_3 PYTHONDONTWRITEBYTECODE=1        # render_shell.py is there
+export PYTHONPATH=examples/Bspline_shell_3 PYTHONDONTWRITEBYTECODE=1        # the folder of render_shell.py
 /usr/bin/python3 "$here/draw_claims.py" "$fig/claims.png"
 /usr/bin/python3 "$here/draw_slices.py" "$data/homer" "$fig"
 xvfb-run -a /usr/bin/python3 "$here/draw_meshes.py" "$data" "$fig"
 xvfb-run -a /usr/bin/python3 "$here/draw_studies.py" "$data/armadillo" "$fig/resolutions.png"
 
-# the page of a data set, with a mesh that is cut off
+# the page of a data set, which includes a truncated file
 printf "$build/data/meshes/%s.off\n" anchor bear bull cow eight elephant fandisk homer joint lion-head rotor three_peaks triceratops >"$data/data_set.txt"
 head -c 1000 "$build/data/meshes/cow.off" >"$data/cut_off.off"
 echo cut_off.off >>"$data/data_set.txt"

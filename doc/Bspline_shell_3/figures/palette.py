@@ -1,4 +1,4 @@
-"""What the figures have in common: colors, letters, and how pictures are saved."""
+"""Common settings of the figures: colors, fonts, and saving of pictures."""
 import io
 import os
 
@@ -12,7 +12,7 @@ SHELL, FACET, CURVE, FAILURE, CELL = "#f6e8d2", "#edebe6", "#e08a00", "#b000a0",
 
 WIDTH = 900         # width of a picture, pixels
 DPI = 100
-SCALE = 1.5         # pixels of the file for one of the width: there are displays with small ones
+SCALE = 1.5         # pixels of the file per pixel of the width, for displays with high resolution
 plt.rcParams.update({"font.family": "DejaVu Sans", "font.size": 11, "axes.titlesize": 12, "mathtext.fontset": "dejavusans",
                      "axes.linewidth": 0.8, "lines.solid_capstyle": "round", "lines.solid_joinstyle": "round"})
 
@@ -26,7 +26,7 @@ def figure(rows, columns, height, **options):
 
 
 def save(fig, name):
-    """In few colors, so that files are small."""
+    """Saves a picture with few colors, so that the file is small."""
     data = io.BytesIO()
     fig.savefig(data, dpi=SCALE * DPI, facecolor="white")
     plt.close(fig)

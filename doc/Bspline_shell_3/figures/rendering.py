@@ -1,4 +1,4 @@
-"""Pictures of meshes: actors, views, and what is needed to read and make meshes."""
+"""Rendering of meshes: actors, views, and reading and construction of meshes."""
 import numpy as np
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -94,7 +94,7 @@ def balls(points, color, radius):
 
 
 def render(actors, size, focus, direction, up, height):
-    """A picture of `size` pixels, in parallel projection; `height` is what fits, in the units of the actors."""
+    """Returns a picture of `size` pixels in parallel projection; `height` is the visible height in the units of the actors."""
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(0)
@@ -129,7 +129,7 @@ def render(actors, size, focus, direction, up, height):
 
 
 def fit(data, size, direction, up):
-    """What `render` needs to show all of a mesh: focus, direction, up and height."""
+    """Returns the arguments with which `render` shows the whole mesh: focus, direction, up, and height."""
     view = np.array(direction) / np.linalg.norm(direction)
     right = np.cross(up, view)
     right /= np.linalg.norm(right)

@@ -1,4 +1,4 @@
-"""Sections of fields that write_VTU() wrote: each cell is a polynomial, and it is evaluated as such."""
+"""Cross sections of fields written by write_VTU(), evaluated as the polynomials of their cells."""
 from math import comb
 
 import numpy as np
@@ -11,7 +11,7 @@ def bernstein(t):
 
 
 class Slice:
-    """The section of a field with the plane where the coordinate `axis` is `at`; the other two coordinates remain, in their order."""
+    """The cross section of a field with the plane where the coordinate `axis` is `at`; keeps the order of the other coordinates."""
 
     def __init__(self, file, axis, at):
         reader = vtk.vtkXMLUnstructuredGridReader()
@@ -24,7 +24,7 @@ class Slice:
         width = (opposite - corner).max(axis=1)
         keep = (corner[:, axis] <= at) & (at < corner[:, axis] + width)
         nodes, corner, width = nodes[keep], corner[keep], width[keep]
-        # VTK numbers control points by corners, edges, faces and the interior: sort them by their place
+        # VTK lists control points of corners, edges, faces, and the interior: sort them by position
         place = np.rint(3 * (points[nodes[0]] - corner[0]) / width[0]).astype(int)
         order = np.empty((4, 4, 4), int)
         order[tuple(place.T)] = np.arange(64)
@@ -35,7 +35,7 @@ class Slice:
         self.corner, self.width = corner[:, rest], width
 
     def raster(self, window, pixels):
-        """Values at the centers of pixels, `pixels` of them along the first side of a window (x0, x1, y0, y1); nan outside."""
+        """Returns values at the centers of pixels in a window (x0, x1, y0, y1), with `pixels` along its first side; nan outside."""
         x0, x1, y0, y1 = window
         size = (x1 - x0) / pixels
         x, y = np.arange(x0 + size / 2, x1, size), np.arange(y0 + size / 2, y1, size)
@@ -47,7 +47,7 @@ class Slice:
 
 
 def section(file, axis, at):
-    """Segments in which a mesh meets the plane."""
+    """Returns the segments in which a mesh meets the plane."""
     reader = vtk.vtkPLYReader()
     reader.SetFileName(file)
     plane = vtk.vtkPlane()

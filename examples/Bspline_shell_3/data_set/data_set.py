@@ -1,4 +1,4 @@
-"""Describes a data set: its meshes, their names and batches, and the options for processing."""
+"""Describes a data set: meshes, their names and batches, and options."""
 import hashlib
 from collections import Counter
 from pathlib import Path
@@ -16,23 +16,24 @@ DEFAULTS = {
 
 
 def options(config):
-    """Returns the options: those of the configuration, converted to the type of their default, and other defaults."""
+    """Returns the options: those of the configuration, converted to the types of the defaults, and defaults for the others."""
     if not config.get("meshes"):
-        raise ValueError("Name a folder or a list: --config meshes=FOLDER")
+        raise ValueError("Pass a folder or a list of meshes: --config meshes=FOLDER")
     unknown = set(config) - set(DEFAULTS) - {"meshes"}
     if unknown:
         raise ValueError(f"There is no option {', '.join(sorted(unknown))}.")
     chosen = {**DEFAULTS, **config}
     for name in ("facets", "time_limit", "memory_limit", "batch"):
         chosen[name] = int(chosen[name])
-        if chosen[name] < (0 if name == "facets" else 1):
-            raise ValueError(f"{name} must be a positive integer.")
+        least = 0 if name == "facets" else 1
+        if chosen[name] < least:
+            raise ValueError(f"{name} must be at least {least}.")
     chosen["pictures"] = str(chosen["pictures"]).lower() in ("true", "1", "yes")
     return chosen
 
 
 def files_of(meshes):
-    """Returns all meshes in a folder and its subfolders, or those in a list, one per line, relative to its folder."""
+    """Returns all meshes in a folder and its subfolders, or those in a list: one per line, relative to the folder of the list."""
     meshes = Path(meshes).absolute()
     if meshes.is_dir():
         return sorted(path for path in meshes.rglob("*") if path.suffix.lower() in FORMATS and path.is_file())
@@ -46,7 +47,7 @@ def plain(text):
 
 
 def name_of(path, stems):
-    """Returns the file's name. If it is not unique, appends the format and a part that is unique to the path."""
+    """Returns the name of the file. If it is not unique, appends the format and a checksum of the path."""
     if stems[plain(path.stem)] == 1:
         return plain(path.stem)
     return f"{plain(path.stem)}_{path.suffix[1:].lower()}_{hashlib.sha256(str(path).encode()).hexdigest()[:6]}"

@@ -1,4 +1,4 @@
-"""Writes the results of a data set: table.csv, index.html, and a page for each mesh. They work offline.
+"""Writes the results of a data set: table.csv, index.html, and a page for each mesh. The pages work offline.
 
 Usage: pages.py BATCHES     (BATCHES: the number of files batches/N.jsonl)
 """
@@ -22,20 +22,21 @@ BLUE, RED, SOFT = "#336bd9", "#d94033", "#5b6472"
 
 # columns: key, title, format, description
 COLUMNS = (
-    ("kind", "Kind", str, "what the shell is of: the mesh itself, closed or not, or a proxy of what is no mesh"),
-    ("facets", "Facets", "{:,}", "of the mesh, or of the proxy"),
-    ("simplified_facets", "Simplified", "{:,}", "facets of the simplified mesh"),
-    ("thickness", "Thickness", "{:.2f} %", "of the shell, in percent of the longest side of the box"),
-    ("cells", "Cells", "{:,}", "of the field that the shell is made of"),
-    ("round_trip", "Round trip", "{:.1e}", "how far points arrive from where they started, there and back, at most; in lengths of the box"),
-    ("seconds", "Time", "{:.1f} s", "without the picture"),
-    ("peak_mb", "Memory", "{:,.0f} MB", "at most"),
+    ("kind", "Kind", str, "mesh of the shell: closed, truncated at singular vertices, virtually closed (an open mesh), or a proxy of a polygon soup"),
+    ("facets", "Facets", "{:,}", "number of facets of the mesh or the proxy"),
+    ("simplified_facets", "Simplified", "{:,}", "number of facets of the simplified mesh"),
+    ("thickness", "Thickness", "{:.2f} %", "thickness of the shell, in percent of the longest side of the bounding box"),
+    ("cells", "Cells", "{:,}", "number of cells of the field that defines the shell"),
+    ("round_trip", "Round trip", "{:.1e}",
+     "largest distance of a point from its start after a round trip to the simplified mesh, relative to the longest side of the bounding box"),
+    ("seconds", "Time", "{:.1f} s", "time without drawing the picture"),
+    ("peak_mb", "Memory", "{:,.0f} MB", "peak memory"),
 )
 EXTRA = "file", "exit", "reason", "cpu_seconds", "points", "points_lost", "drawing_seconds"
 
 
 def write(path, text):
-    """Writes a complete file, or none."""
+    """Writes a complete file, or no file."""
     part = Path(f"{path}.part")
     part.write_text(text, encoding="utf-8")
     part.replace(path)
@@ -100,7 +101,8 @@ def histogram(rows, key, title):
             bins = np.linspace(low, high if high > low else low * 1.01, 25)
         axes.hist(values, bins, color=BLUE)
         axes.yaxis.get_major_locator().set_params(integer=True)
-    return plot(draw, f"{title}; median {median(values.tolist()):,.3g}")
+    middle = median(values.tolist())
+    return plot(draw, f"{title}; median {middle:,.0f}" if middle >= 100 else f"{title}; median {middle:.3g}")
 
 
 def refusals(rows):
@@ -117,7 +119,7 @@ def refusals(rows):
         axes.set_yticks([])
         axes.set_ylim(max(len(counts), 3) - 0.5, -0.7)
         axes.xaxis.get_major_locator().set_params(integer=True)
-    return plot(draw, "No result, by reason; meshes")
+    return plot(draw, "Meshes without a result, by reason")
 
 
 def page(path, title, lead, body):
@@ -154,15 +156,15 @@ def obstacles(report):
         return ""
     rows = "\n".join(f"<tr><td>{' '.join(f'{x:.6g}' for x in place['point'])}</td><td>{escape(place['message'])}</td></tr>" for place in places)
     limit = f"<p>{escape(report['limit'])}</p>\n" if "limit" in report else ""
-    return f"""<section><h2>Places of failure</h2>
-{limit}<table class="places"><thead><tr><th scope="col">Where</th><th scope="col">What stands in the way</th></tr></thead>
+    return f"""<section><h2>Where the proof fails</h2>
+{limit}<table class="places"><thead><tr><th scope="col">Point</th><th scope="col">Obstacle</th></tr></thead>
 <tbody>
 {rows}
 </tbody></table></section>"""
 
 
 def offenders(report):
-    """Returns the facets and vertices due to which the mesh itself is refused."""
+    """Returns the facets and vertices because of which the mesh itself is rejected."""
     return [(f"Offending {what}", ", ".join(map(str, found[:10])) + (" ..." if len(found) > 10 else ""))
             for what in ("facets", "vertices") if (found := report.get("mesh_itself", {}).get(what))]
 
@@ -180,7 +182,7 @@ def write_mesh_page(folder, record, line, before, after):
     table = "\n".join(f"<tr><th scope=\"row\">{escape(what)}</th><td>{escape(value)}</td></tr>" for what, value in facts if value)
     picture = "<figure><a href=\"picture.png\"><img src=\"picture.png\" alt=\"\"></a></figure>" if record.get("picture") else ""
     if record.get("picture") is False:
-        picture = "<p class=\"failure\">The picture could not be drawn; <a href=\"log.txt\">log.txt</a> says why.</p>"
+        picture = "<p class=\"failure\">The picture could not be drawn: see <a href=\"log.txt\">log.txt</a>.</p>"
     reason = f"<p class=\"failure\">{escape(record['reason'])}</p>" if record["reason"] else ""
     files = " ".join(f"<a href=\"{quote(file.name)}\">{escape(file.name)}</a>" for file in sorted(folder.iterdir())
                      if file.name not in ("index.html", "thumbnail.png", "running"))
@@ -197,13 +199,13 @@ def write_index(records, rows):
     lost, points = sum(r["points_lost"] or 0 for r in rows), sum(r["points"] or 0 for r in rows)
     of_kinds = "".join(f"; {n:,} {kind}" for kind, n in kinds.most_common())
     facts = [(f"{len(done):,} of {len(rows):,}", f"meshes have a certified shell and are simplified in it{of_kinds}"),
-             (f"{len(rows) - len(done):,}", "have no result; their pages say why, and where"),
-             (f"{lost:,} of {points:,}", "points lost on the way to the simplified mesh and back"),
-             (f"{hours:.1f} h" if hours >= 1 else f"{60 * hours:.1f} min", "of work for the meshes, without pictures")]
+             (f"{len(rows) - len(done):,}", "meshes without a result; their pages give the reason"),
+             (f"{lost:,} of {points:,}", "points lost on the round trip to the simplified mesh"),
+             (f"{hours:.1f} h" if hours >= 1 else f"{60 * hours:.1f} min", "of processing time, without pictures")]
     cards = "\n".join(f"<div class=\"card\"><strong>{number}</strong><span>{escape(what)}</span></div>" for number, what in facts)
     plots = "\n".join(f"<figure>{svg}</figure>" for svg in (
-        histogram(rows, "seconds", "Time, seconds"), histogram(done, "cells", "Cells"),
-        histogram(done, "thickness", "Thickness, % of the box"), refusals(rows)) if svg)
+        histogram(rows, "seconds", "Time (seconds)"), histogram(done, "cells", "Cells"),
+        histogram(done, "thickness", "Thickness (% of the box size)"), refusals(rows)) if svg)
     heads = "".join(f"<th scope=\"col\" title=\"{escape(what)}\"><button>{title}</button></th>" for _, title, _, what in COLUMNS)
     lines = []
     for record, r in zip(records, rows):
@@ -217,7 +219,7 @@ def write_index(records, rows):
                      f"<td data-value=\"{escape(r['outcome'])}\" title=\"{escape(r['reason'])}\">{badge(record)}</td>{cells}</tr>")
     script = (HERE / "table.js").read_text(encoding="utf-8")
     rows_of_table = "\n".join(lines)
-    lead = f"{len(rows):,} meshes, each with a certified shell, simplified in it, and a picture; or the reason why not."
+    lead = f"{len(rows):,} meshes. For each: the certified shell, the simplified mesh, and a picture, or the reason why there is no result."
     page("index.html", "Data set", f"""<p class="lead">{lead}</p>
 <p class="links"><a href="table.csv">table.csv</a></p>""", f"""<nav>
 {cards}
@@ -225,7 +227,7 @@ def write_index(records, rows):
 <div class="plots">
 {plots}
 </div>
-<p class="filter"><input type="search" placeholder="Only rows with ..." aria-label="Only rows with"> <span id="count"></span></p>
+<p class="filter"><input type="search" placeholder="Filter rows ..." aria-label="Filter rows"> <span id="count"></span></p>
 <table class="meshes"><thead><tr><th></th><th scope="col"><button>Mesh</button></th><th scope="col"><button>Outcome</button></th>{heads}</tr></thead>
 <tbody>
 {rows_of_table}

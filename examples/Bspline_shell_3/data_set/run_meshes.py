@@ -1,8 +1,8 @@
-"""Processes one batch of a data set: runs the program on each mesh within limits, draws and records the result.
+"""Processes one batch of a data set: runs the program on each mesh within limits, and draws and records the results.
 
 Usage: run_meshes.py OPTIONS NUMBER RECORDS     (OPTIONS: in JSON; RECORDS: written when the batch is complete)
 
-Every mesh has a folder, in which record.json is written last. If it has a record for the same file and options, it is
+Every mesh has a folder, in which record.json is written last. A mesh that has a record for the same file and options is
 not processed again. All problems of a mesh are stored in its record. This script fails only if it cannot write.
 """
 import json
@@ -27,7 +27,7 @@ THUMBNAIL = 320, 120
 
 
 def write(path, text):
-    """Writes a complete file, or none."""
+    """Writes a complete file, or no file."""
     part = path.with_name(path.name + ".part")
     part.write_text(text, encoding="utf-8")
     part.replace(path)
@@ -39,7 +39,7 @@ def limit_memory(megabytes):
 
 
 class Drawing:
-    """Draws pictures in forks of this process, as losing the X server ends a process.
+    """Draws pictures in forks of this process, because a process that loses the X server ends.
 
     Python, VTK and the server are started only once.
     """
@@ -130,16 +130,16 @@ def outcome(code, over, log, file, options):
     """Returns the outcome in two or three words, which are counted, and in a sentence without the file name."""
     said = re.sub(rf"^{re.escape(str(file))}(, line \d+)?: ", "", first_line(log))
     if over:
-        return "time limit", f"It was ended after {options['time_limit']} s."
+        return "time limit", f"The program was stopped at the time limit of {options['time_limit']} s."
     if said.startswith("The time limit was reached"):
         return "time limit", said
     if "std::bad_alloc" in log.read_text(encoding="utf-8", errors="replace"):
-        return "memory limit", f"It needs more than {options['memory_limit']} MB."
+        return "memory limit", f"The program needs more than the memory limit of {options['memory_limit']} MB."
     if code < 0:
-        return "crashed", f"It ended with {signal.Signals(-code).name}. {said}".strip()
+        return "crashed", f"The program ended with {signal.Signals(-code).name}. {said}".strip()
     if code in (0, 4, 7):
         return "done", {0: "", 4: "A bounding surface could not be extracted.", 7: said}[code]
-    return OUTCOMES.get(code, "refused" if code > 10 else "crashed"), said or f"It ended with {code}."
+    return OUTCOMES.get(code, "refused" if code > 10 else "crashed"), said or f"The program ended with exit code {code}."
 
 
 def read_json(path):
@@ -168,7 +168,7 @@ def make(name, file, options, folder, draw):
     record = {"name": name, "file": str(file), "made_from": made_from, "made_with": made_with}
     try:
         if deaths >= ATTEMPTS:
-            record |= {"outcome": "killed", "reason": "The job died while it was made, twice.", "exit": None}
+            record |= {"outcome": "killed", "reason": "The job died twice while it processed this mesh.", "exit": None}
         else:
             command = [options["program"], str(file), "--output", str(prefix), "--threads", "1", "--time-limit", str(0.8 * options["time_limit"]),
                        "--memory-limit", str(options["memory_limit"] / 1.5)]
@@ -186,7 +186,7 @@ def make(name, file, options, folder, draw):
                 Path(f"{prefix}_{part}.ply").unlink(missing_ok=True)
         for key, path in ("report", Path(f"{prefix}.json")), ("simplified", Path(f"{prefix}_simplified.json")):
             record[key] = read_json(path)
-    except BaseException:       # this run was ended, not due to the mesh
+    except BaseException:       # the run was terminated, but not because of the mesh
         mark.unlink(missing_ok=True)
         raise
     write(folder / "record.json", json.dumps(record, indent=1))

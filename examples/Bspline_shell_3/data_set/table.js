@@ -1,4 +1,4 @@
-// sorts the table by the column whose head is clicked, and hides rows without what is searched for
+// Sorts the table by the column whose head is clicked, and hides rows that do not match the search text.
 const body = document.querySelector(".meshes tbody"), heads = [...document.querySelectorAll(".meshes thead th")], rows = [...body.rows];
 const search = document.querySelector(".filter input"), count = document.getElementById("count");
 const collator = new Intl.Collator("en", { numeric: true });
@@ -8,7 +8,7 @@ heads.forEach((head, column) => head.querySelector("button")?.addEventListener("
   const isNumeric = rows.every(row => !isNaN(values.get(row)));
   rows.sort((a, b) => {
     const x = values.get(a), y = values.get(b);
-    if(x === "" || y === "") return (x === "") - (y === "");        // what is missing comes last
+    if(x === "" || y === "") return (x === "") - (y === "");        // missing values come last
     const order = isNumeric ? x - y : collator.compare(x, y);
     return up ? order : -order;
   });

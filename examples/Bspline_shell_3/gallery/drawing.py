@@ -1,4 +1,4 @@
-"""Drawings and measurements of the gallery, in addition to those of the manual.
+"""Drawings and measurements that only the gallery needs.
 
 Usage: drawing.py MODULE.FUNCTION ARGUMENTS         calls a drawing function; its arguments are a list in JSON
 """
@@ -36,8 +36,8 @@ def draw_layers(shells, picture):
 def wrong_side(name):
     """Returns the fraction of the area that has the color of the other side.
 
-    The mesh is a bowl around the origin that is yellow inside. Facets of the rim face neither inwards nor outwards, and
-    do not count.
+    The mesh is a bowl around the origin that is yellow inside. Facets of the rim, which face neither inward nor outward,
+    are ignored.
     """
     data = painted(name)
     corners = vtk_to_numpy(data.GetPoints().GetData())[vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)].astype(float)

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Makes figures of the gallery, and the page that shows them. examples/gallery.sh runs it.
+"""Generates figures of the gallery, and the page that shows them. examples/gallery.sh runs this script.
 
-Usage: gallery.py pending [--again] [FIGURE...]     lists incomplete figures, by default of all, one per line
-       gallery.py programs FIGURE...                lists the programs that they run
-       gallery.py make FIGURE                       makes a figure, and writes the page
+Usage: gallery.py pending [--again] [FIGURE...]     lists incomplete figures (default: of all), one per line
+       gallery.py programs FIGURE...                lists the programs that these figures need
+       gallery.py make FIGURE                       generates a figure, and writes the page
        gallery.py page                              writes results/gallery/index.html
 """
 import shutil
@@ -18,7 +18,7 @@ from paths import RESULTS
 def chosen(names):
     unknown = set(names) - {f.name for f in FIGURES}
     if unknown:
-        sys.exit(f"There is no figure {', '.join(sorted(unknown))}. There are: {' '.join(f.name for f in FIGURES)}")
+        sys.exit(f"There is no figure {', '.join(sorted(unknown))}. Choose from: {' '.join(f.name for f in FIGURES)}")
     return [f for f in FIGURES if not names or f.name in names]
 
 

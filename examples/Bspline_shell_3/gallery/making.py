@@ -1,4 +1,4 @@
-"""Runs the programs of one figure and draws their output, with a line of progress for each step."""
+"""Runs the programs of one figure and draws their output; prints a line of progress for each step."""
 import json
 import os
 import shutil
@@ -18,12 +18,12 @@ class Failure(Exception):
 
 
 def last_line(done):
-    """Returns the last line of a process's output."""
-    return (done.stderr.strip() or done.stdout.strip() or f"It ended with {done.returncode}.").splitlines()[-1]
+    """Returns the last line of the output of a process."""
+    return (done.stderr.strip() or done.stdout.strip() or f"The program ended with exit code {done.returncode}.").splitlines()[-1]
 
 
 class Making:
-    """Makes a figure in `folder`, which is renamed to the figure's name when it is complete."""
+    """Generates a figure in `folder`, which is renamed to the name of the figure when it is complete."""
 
     def __init__(self, name):
         self.name = name
@@ -34,7 +34,7 @@ class Making:
     def run(self, program, *arguments, folder="."):
         """Runs a program, in a separate folder if one is given, and returns its output."""
         if not (BUILD / program).exists():
-            raise Failure(f"{program} was not built; {BUILD.relative_to(ROOT)}/build.log says why.")
+            raise Failure(f"{program} was not built: see {BUILD.relative_to(ROOT)}/build.log.")
         return self._run([BUILD / program, *arguments], folder)
 
     def script(self, path, *arguments):
@@ -84,14 +84,14 @@ class Making:
 
 
 def write(path, text):
-    """Writes a complete file, or none."""
+    """Writes a complete file, or no file."""
     part = Path(f"{path}.part")
     part.write_text(text, encoding="utf-8")
     part.replace(path)
 
 
 def make(figure):
-    """Makes a figure, and returns whether it succeeded. Otherwise, its incomplete folder contains the reason."""
+    """Generates a figure, and returns whether this succeeded. Otherwise, its incomplete folder contains the reason."""
     making = Making(figure.name)
     shutil.rmtree(making.folder, ignore_errors=True)
     making.folder.mkdir(parents=True)
@@ -100,7 +100,7 @@ def make(figure):
         results = figure.make(making)
     except Exception as error:      # an error must not affect other figures
         sentence = str(error) if isinstance(error, Failure) else f"{type(error).__name__}: {error}"
-        print(f"{'' if making.step else figure.name + ': '}failed. {sentence}", flush=True)
+        print(f"{'' if making.step else figure.name + ': '}failed: {sentence}", flush=True)
         write(making.folder / "failure.txt", sentence)
         return False
     write(making.folder / "figure.json", json.dumps({**results._asdict(), "commands": making.commands, "seconds": time.monotonic() - start}))

@@ -4,8 +4,8 @@ from collections import namedtuple
 
 from making import Failure
 
-# `headline`: quantity and object of the measurement. `pictures`: (file, caption). `rows` of a table: (quantity, the
-# paper, lines with the results).
+# `headline`: (number, description). `pictures`: (file, caption). `rows` of the table: (quantity, value in the paper,
+# lines with our results).
 Results = namedtuple("Results", "headline pictures rows")
 
 NOT_GIVEN = "not given"
@@ -14,7 +14,7 @@ NOT_GIVEN = "not given"
 def parsed(pattern, text):
     found = re.search(pattern, text)
     if not found:
-        raise Failure(f"The output of a program has changed: there is no “{pattern}” in it.")
+        raise Failure(f"The output of a program has changed: it does not match “{pattern}”.")
     return found.groups()
 
 

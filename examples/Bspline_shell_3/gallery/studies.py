@@ -31,15 +31,15 @@ def make_gamma(making):
         file.unlink()
 
     def lines(text):
-        return [f"{'ours' if shell['gamma'] is None else 'γ = ' + format(shell['gamma'], 'g')}: {text(shell)}" for shell in found]
+        return [f"{'refined cells' if shell['gamma'] is None else 'γ = ' + format(shell['gamma'], 'g')}: {text(shell)}" for shell in found]
     finest, ours = found[-2:]
     return Results(
-        (f"{count(finest['cells'])} → {count(ours['cells'])}", "cells of shells as thin: of one size, and as small as the proof needs them"),
-        [("surfaces.png", "Inner surfaces (blue) and outer ones (red) of armadillo's shells. |f| is the largest on the mesh, in units of the box."),
-         ("sections.png", "Cuts through them, and two toes in a magnifier. Colors are those of f; where there is none, the shell has no cells.")],
+        (f"{count(finest['cells'])} → {count(ours['cells'])}", "cells of equally thin shells: equal → refined where the proof requires it"),
+        [("surfaces.png", "Inner (blue) and outer (red) surfaces of shells of the armadillo, with bounds of |f| on the mesh in % of the box size."),
+         ("sections.png", "Cross sections, with two toes enlarged, colored by f. White areas contain no cells.")],
         [("Largest |f| on the mesh", "0.19\u202f% at γ = 130, on a model of Thingi10K", lines(lambda shell: percent(100 * shell["largest_value"]))),
-         ("Thickness, of the box", NOT_GIVEN, lines(lambda shell: percent(100 * shell["thickness"]))),
-         ("Cells; seconds", NOT_GIVEN, lines(lambda shell: f"{count(shell['cells'])}; {shell['seconds']:.1f} s")),
+         ("Thickness, relative to the box size", NOT_GIVEN, lines(lambda shell: percent(100 * shell["thickness"]))),
+         ("Cells; time", NOT_GIVEN, lines(lambda shell: f"{count(shell['cells'])}; {shell['seconds']:.1f} s")),
          ("One-to-one", NOT_GIVEN, lines(verdict))])
 
 
@@ -52,7 +52,7 @@ def make_gamma_impact(making):
 
     def lines(text):
         of_all = [(f"γ = {gamma}", [shell for shell in found if shell["gamma"] == gamma]) for gamma in gammas]
-        return [f"{name}: {text(shells)}" for name, shells in of_all + [("ours", [shell for shell in found if not shell["gamma"]])]]
+        return [f"{name}: {text(shells)}" for name, shells in of_all + [("refined cells", [shell for shell in found if not shell["gamma"]])]]
 
     def mean(name):
         return lambda shells: sum(shell[name] for shell in shells) / len(shells)
@@ -62,13 +62,14 @@ def make_gamma_impact(making):
     finest, ours = ([shell for shell in found if shell["gamma"] == gamma] for gamma in (gammas[-1], None))
     return Results(
         (f"{certified(finest)} → {certified(ours)} of {len(names)}",
-         f"meshes whose map is proved to be one-to-one: equal cells at γ = {gammas[-1]}, and ours"),
-        [("impact.png", f"Seconds, thickness and proofs of {len(names)} meshes. Seconds of equal cells are without the proof, ours are with it. The "
-                        "thickness of ours is the one asked for; equal cells get thin shells of smooth meshes, and thick ones of others.")],
-        [("Seconds, mean", "plotted, as means over 100 models", lines(lambda shells: f"{mean('seconds')(shells):.2g} s")),
-         ("Thickness, of the box, mean", "plotted", lines(lambda shells: percent(100 * mean("thickness")(shells)))),
+         f"meshes whose map is proved to be one-to-one: equal cells at γ = {gammas[-1]} → refined cells"),
+        [("impact.png", f"Time, thickness, and proofs for {len(names)} meshes. Times with refined cells include the proof; those with equal "
+                        "cells do not. Refined cells give the requested thickness; equal cells give thin shells for smooth meshes, and "
+                        "thick ones for others.")],
+        [("Mean time", "plotted, as means over 100 models", lines(lambda shells: f"{mean('seconds')(shells):.2g} s")),
+         ("Mean thickness, relative to the box size", "plotted", lines(lambda shells: percent(100 * mean("thickness")(shells)))),
          ("Samples in the shell", "100K points on each model: all, on 499 of 500 models",
-          lines(lambda shells: f"all on {sum(shell['contained'] == 1 for shell in shells)} of {len(shells)}")),
+          lines(lambda shells: f"all samples for {sum(shell['contained'] == 1 for shell in shells)} of {len(shells)} meshes")),
          ("Proved to be one-to-one", NOT_GIVEN, lines(lambda shells: f"{certified(shells)} of {len(shells)}"))])
 
 
@@ -79,27 +80,27 @@ def make_mu(making):
     making.draw("draw_studies.draw_weights", prefix, found, direction, up, "rotor.png")
 
     def lines(text):
-        return [f"{'ours' if shell['mu'] is None else 'μ = ' + format(shell['mu'], 'g')}: {text(shell)}" for shell in found]
+        return [f"{'certified shell' if shell['mu'] is None else 'μ = ' + format(shell['mu'], 'g')}: {text(shell)}" for shell in found]
 
     def of_points(number, shell):
         return percent(100 * number / shell["points"]) if number else "none"
     worst = max(found, key=lambda shell: sum(shell["distances"]["errors"]))
     return Results(
         (f"{of_points(sum(worst['distances']['errors']), worst)} → {of_points(sum(found[-1]['distances']['errors']), found[-1])}",
-         f"of the points get a wrong distance back: μ = {worst['mu']:g}, and ours"),
-        [("rotor.png", "Lines of equal distance on rotor; points whose distance comes back wrong (purple) or not at all (gray), and how many. "
-                       "The vertices of the other mesh are up to 40\u202f% of the way to a level away, and in our shell "
-                       f"{percent(100 * found[-1]['moved'])}: as far as is certified.")],
-        [("Distances off by more than 0.03 of the box", "shown as histograms",
+         f"of the points have a wrong distance after the round trip: μ = {worst['mu']:g} → certified shell"),
+        [("rotor.png", "Lines of equal distance on rotor, with the points whose distance is wrong after the round trip (purple) or missing "
+                       "(gray), and their fractions. The vertices of the other mesh are moved by up to 40\u202f% of the way to a threshold; "
+                       f"in the certified shell, by up to {percent(100 * found[-1]['moved'])}, as far as the mesh is certified.")],
+        [("Distances with an error of more than 3\u202f% of the box size", "shown as histograms",
           lines(lambda shell: of_points(sum(shell["distances"]["errors"]), shell))),
-         ("Points without one, as a corner of their facet there has none", NOT_GIVEN,
+         ("Points without a distance: without an image, or with one next to a vertex without a distance", NOT_GIVEN,
           lines(lambda shell: of_points(shell["distances"]["missing"], shell))),
-         ("Points that do not come back; that come back more than 0.001 away", NOT_GIVEN,
+         ("Points lost on the round trip; points with an error of more than 0.1\u202f% of the box size", NOT_GIVEN,
           lines(lambda shell: f"{of_points(shell['round_trip']['lost'], shell)}; "
                               f"{of_points(shell['round_trip']['0.03'] + shell['round_trip']['more'], shell)}")),
-         ("Points where the gradient faces the wrong way", "“local gradient directions deviate”, if μ is small",
+         ("Points where the gradient points to the wrong side of the facet", "“local gradient directions deviate”, if μ is small",
           lines(lambda shell: of_points(shell["wrong_side"] * shell["points"], shell))),
-         ("Thickness, of the box", "“the shell loses its geometric fidelity”, if μ is large",
+         ("Thickness, relative to the box size", "“the shell loses its geometric fidelity”, if μ is large",
           lines(lambda shell: percent(100 * shell["thickness"]))),
          ("Points in the shell", NOT_GIVEN,
           lines(lambda shell: "all" if shell["contained"] == 1 else of_points(shell["contained"] * shell["points"], shell)))])

@@ -102,7 +102,7 @@ Solid::Result bend(const Solid& solid, double length, double angle, const Solid:
 
 } // namespace
 
-TEST_CASE("An affine motion of the boundary is reproduced inside")
+TEST_CASE("Neo-Hookean solid: an affine motion of the boundary extends to the interior")
 {
   const Tetrahedra mesh = box(3, 3, 3, 0.2);
   Eigen::Matrix3d A;
@@ -144,7 +144,7 @@ TEST_CASE("An affine motion of the boundary is reproduced inside")
   }
 }
 
-TEST_CASE("A bar that is stretched gets thinner until no stress is left across it")
+TEST_CASE("Neo-Hookean solid: a stretched or compressed bar has no lateral stress")
 {
   const Tetrahedra mesh = box(4, 2, 2, 0.2);
   for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC })
@@ -179,7 +179,7 @@ TEST_CASE("A bar that is stretched gets thinner until no stress is left across i
     }
 }
 
-TEST_CASE("The gradient is that of the energy, and the Hessian that of the gradient")
+TEST_CASE("Neo-Hookean solid: gradient and Hessian agree with finite differences of the energy")
 {
   const Tetrahedra mesh = box(2, 2, 2, 0.2);
   const double h = std::cbrt(epsilon); // the optimal order for central differences
@@ -207,7 +207,7 @@ TEST_CASE("The gradient is that of the energy, and the Hessian that of the gradi
   }
 }
 
-TEST_CASE("Newton's method ends with quadratic convergence")
+TEST_CASE("Neo-Hookean solid: Newton's method converges quadratically near the solution")
 {
   const Tetrahedra mesh = box(4, 1, 1, 0);
   for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC }) {
@@ -234,7 +234,7 @@ TEST_CASE("Newton's method ends with quadratic convergence")
   }
 }
 
-TEST_CASE("A solid that is turned has the same energy, turned forces and the turned solution")
+TEST_CASE("Neo-Hookean solid: a rotation preserves the energy, and rotates forces and solutions")
 {
   const Tetrahedra mesh = box(4, 1, 1, 0);
   const Eigen::Matrix3d R = Eigen::AngleAxisd(2.3, Vector(1, 2, -0.5).normalized()).toRotationMatrix();
@@ -263,7 +263,7 @@ TEST_CASE("A solid that is turned has the same energy, turned forces and the tur
   }
 }
 
-TEST_CASE("Motions that are too large for one step are followed in several, and no tetrahedron is inverted on the way")
+TEST_CASE("Neo-Hookean solid: large motions take several load steps, and no tetrahedron is inverted on the way")
 {
   const Tetrahedra mesh = box(4, 1, 1, 0);
   for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC }) {
@@ -276,7 +276,7 @@ TEST_CASE("Motions that are too large for one step are followed in several, and 
   }
 }
 
-TEST_CASE("A solid of which all nodes are held follows the motion")
+TEST_CASE("Neo-Hookean solid: a solid whose nodes are all constrained is deformed as prescribed")
 {
   const Tetrahedra mesh = box(1, 1, 1, 0);
   for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC }) {
@@ -288,7 +288,7 @@ TEST_CASE("A solid of which all nodes are held follows the motion")
   }
 }
 
-TEST_CASE("What cannot be solved is refused, with the reason")
+TEST_CASE("Neo-Hookean solid: problems without a solution are rejected with a status")
 {
   const Tetrahedra mesh = box(2, 2, 2, 0.2);
   const auto nothing = [](std::size_t, double) -> Vector { return Vector::Zero(); };
@@ -327,7 +327,7 @@ TEST_CASE("What cannot be solved is refused, with the reason")
   }
 }
 
-TEST_CASE("Displacements on facets are those of the shape functions")
+TEST_CASE("Neo-Hookean solid: displacements on facets are interpolated by the shape functions")
 {
   const Tetrahedra mesh = box(1, 1, 1, 0);
   for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC }) {

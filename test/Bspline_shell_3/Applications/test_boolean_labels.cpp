@@ -108,8 +108,7 @@ struct Numbered_solids
 
 } // namespace
 
-TEST_CASE(
-  "Facets of Booleans of two boxes have the labels of the sides that they are in, and the areas that these leave")
+TEST_CASE("Boolean labels: facets of Booleans of two boxes carry the labels of their sides, and areas add up")
 {
   const Point_3 low_0(0, 0, 0), high_0(1, 1, 1), low_1(0.5, 0.25, 0.125), high_1(1.5, 1.25, 1.125);
   Mesh first = box(low_0, high_0), second = box(low_1, high_1);
@@ -139,8 +138,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Facets of Booleans of solids in general position are parts of the facets whose labels they have, on the "
-          "right side of the other solid")
+TEST_CASE("Boolean labels: each facet lies in the facet of its label, on the correct side of the other solid")
 {
   const Precise_rounding rounding;
   const Kernel::Aff_transformation_3 turn(0.36, -0.48, 0.8, 0.3, 0.8, 0.6, 0, 0.2, -0.48, 0.64, 0.6, 0.1);
@@ -173,7 +171,7 @@ TEST_CASE("Facets of Booleans of solids in general position are parts of the fac
   }
 }
 
-TEST_CASE("Labels go through a second Boolean operation")
+TEST_CASE("Boolean labels: labels survive a second Boolean operation")
 {
   const Precise_rounding rounding;
   const Numbered_solids solids({ sphere(2, 0.8, { -1, 0.1, 0 }), sphere(2, 0.8), sphere(2, 0.8, { 1, 0.05, 0.1 }) });
@@ -186,7 +184,7 @@ TEST_CASE("Labels go through a second Boolean operation")
   for(std::size_t number : facets) CHECK(number > 0);
 }
 
-TEST_CASE("Simplified along the curve, facets keep their labels, and the curve separates them and stays near")
+TEST_CASE("Boolean labels: simplification keeps the labels, and the curve that separates them stays near the original")
 {
   Mesh first = sphere(3), second = sphere(3, 0.8, { 0.9, 0.3, 0.2 }), mesh;
   set_labels(first, 0);

@@ -9,7 +9,7 @@
 #include <utility>
 
 namespace test_tetrahedralize {
-TEST_CASE("Tetrahedra conform to a mesh if their border is the mesh, facet by facet, and nothing else")
+TEST_CASE("Tetrahedra conform to a mesh if and only if their boundary facets are exactly those of the mesh")
 {
   // a double pyramid over a triangle, cut into two tetrahedra
   Tetrahedra tetrahedra;
@@ -28,40 +28,40 @@ TEST_CASE("Tetrahedra conform to a mesh if their border is the mesh, facet by fa
   REQUIRE(CGAL::is_closed(mesh));
   CHECK(conforms(tetrahedra, mesh));
 
-  SECTION("points inside and further tetrahedra there do not matter")
+  SECTION("interior points and tetrahedra are allowed")
   {
     tetrahedra.points.emplace_back(0.2, 0.3, 0.5);
     tetrahedra.cells = { { 0, 2, 1, 4 }, { 0, 1, 2, 5 }, { 0, 1, 5, 3 }, { 1, 2, 5, 3 }, { 2, 0, 5, 3 } };
     CHECK(conforms(tetrahedra, mesh));
   }
-  SECTION("a tetrahedron is missing")
+  SECTION("a missing tetrahedron is detected")
   {
     tetrahedra.cells.pop_back();
     CHECK_FALSE(conforms(tetrahedra, mesh));
   }
-  SECTION("a tetrahedron is there twice")
+  SECTION("a duplicate tetrahedron is detected")
   {
     tetrahedra.cells.push_back(tetrahedra.cells[0]);
     CHECK_FALSE(conforms(tetrahedra, mesh));
   }
-  SECTION("a tetrahedron is outside")
+  SECTION("a tetrahedron outside the mesh is detected")
   {
     tetrahedra.points.emplace_back(2, 2, 2);
     tetrahedra.cells.push_back({ 1, 2, 3, 5 });
     CHECK_FALSE(conforms(tetrahedra, mesh));
   }
-  SECTION("a facet of the mesh is cut")
+  SECTION("a subdivided facet of the mesh is detected")
   {
     tetrahedra.points.emplace_back(0.5, 0, 0);
     tetrahedra.cells = { { 0, 5, 2, 3 }, { 5, 1, 2, 3 }, { 0, 2, 1, 4 } };
     CHECK_FALSE(conforms(tetrahedra, mesh));
   }
-  SECTION("a point is moved by rounding")
+  SECTION("a point moved by one ulp is detected")
   {
     tetrahedra.points[3] = Tetrahedra::Point(0.2, 0.3, std::nextafter(1., 2.));
     CHECK_FALSE(conforms(tetrahedra, mesh));
   }
-  SECTION("a tetrahedron is turned over, which is put right")
+  SECTION("an inverted tetrahedron is detected and repaired")
   {
     std::swap(tetrahedra.cells[1][0], tetrahedra.cells[1][1]);
     CHECK_FALSE(conforms(tetrahedra, mesh));

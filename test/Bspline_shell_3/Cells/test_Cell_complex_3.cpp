@@ -100,7 +100,7 @@ const Lattice quarters(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.25);
 
 } // namespace
 
-TEST_CASE("lattices: all corners are doubles, also those of cells halved twelve times and far from the origin")
+TEST_CASE("Lattice: all corners are doubles, even those of cells halved twelve times and far from the origin")
 {
   CGAL::Random random(1);
   for(double distance : { 0., 1., 1e3, 1e6 })
@@ -120,7 +120,7 @@ TEST_CASE("lattices: all corners are doubles, also those of cells halved twelve 
     }
 }
 
-TEST_CASE("lattices: one that says it is exact is, whatever the distance, hopeless ones say so")
+TEST_CASE("Lattice: is_exact() holds only if all corners are doubles, at any distance from the origin")
 {
   int exact = 0, hopeless = 0;
   for(int e = 0; e < 60; ++e) {
@@ -148,7 +148,7 @@ TEST_CASE("lattices: one that says it is exact is, whatever the distance, hopele
   }
 }
 
-TEST_CASE("lattices: a mirrored, turned or scaled box gets the mirrored, turned or scaled lattice")
+TEST_CASE("Lattice: a mirrored, rotated or scaled box yields the mirrored, rotated or scaled lattice")
 {
   CGAL::Random random(2);
   for(int n = 0; n < 2000; ++n) {
@@ -181,7 +181,7 @@ TEST_CASE("lattices: a mirrored, turned or scaled box gets the mirrored, turned 
   }
 }
 
-TEST_CASE("lattices: cells may be halved until the next corner would not be a double, or nearly so")
+TEST_CASE("Lattice: number_of_halvings() keeps all corners exact, and is nearly the largest possible number")
 {
   CGAL::Random random(20);
   int tight = 0;
@@ -215,7 +215,7 @@ TEST_CASE("lattices: cells may be halved until the next corner would not be a do
   CHECK(Lattice().number_of_halvings({ 0, 0, 0 }, { 0, 0, 0 }) == 0);
 }
 
-TEST_CASE("lattices: one that is made of its origin and spacing is exact if all corners are")
+TEST_CASE("Lattice: a lattice built from origin and spacing is exact if and only if its corners are, even when halved")
 {
   const auto is_exact = [](double origin, double spacing, int first, int last) {
     return Lattice::from_origin({ 0, origin, 0 }, spacing, Lattice_point{ 0, first, 0 }, Lattice_point{ 0, last, 0 })
@@ -266,7 +266,7 @@ TEST_CASE("lattices: one that is made of its origin and spacing is exact if all 
   }
 }
 
-TEST_CASE("lattices: a plane begins its interval, the double before it ends the last one")
+TEST_CASE("Lattice: intervals are half-open, so a plane belongs to the interval that it starts")
 {
   CGAL::Random random(3);
   for(double distance : { 0., 1e6 }) {
@@ -283,7 +283,7 @@ TEST_CASE("lattices: a plane begins its interval, the double before it ends the 
   }
 }
 
-TEST_CASE("lattices: intervals are between rounded planes where planes are no doubles")
+TEST_CASE("Lattice: on an inexact lattice, intervals lie between the rounded planes")
 {
   CGAL::Random random(32);
   for(int n = 0; n < 2000; ++n) {
@@ -300,7 +300,7 @@ TEST_CASE("lattices: intervals are between rounded planes where planes are no do
   }
 }
 
-TEST_CASE("lattice keys: there and back, sorted like (k, j, i)")
+TEST_CASE("Lattice keys: decoding inverts encoding, and keys are sorted like (k, j, i)")
 {
   const int m = Key::max_coordinate;
   std::vector<Lattice_point> points = { { -m, -m, -m }, { m, -m, -m }, { -m, 0, -m }, { 0, 0, 0 },   { 1, 0, 0 },
@@ -317,7 +317,7 @@ TEST_CASE("lattice keys: there and back, sorted like (k, j, i)")
   }
 }
 
-TEST_CASE("lattice sets: index and index_range against a search, with holes and negative coordinates")
+TEST_CASE("Lattice sets: index() and index_range() agree with a search, with holes and negative coordinates")
 {
   CGAL::Random random(4);
   for(double share : { 0.05, 0.5, 0.9, 1. }) {
@@ -351,7 +351,7 @@ TEST_CASE("lattice sets: index and index_range against a search, with holes and 
   CHECK(Lattice_set(std::vector<std::uint64_t>()).index_range(-1, 1, 0, 0).first == Lattice_set::npos);
 }
 
-TEST_CASE("lattice sets: dilation is the sum with a cube")
+TEST_CASE("Lattice sets: dilation is the Minkowski sum with a cube")
 {
   CGAL::Random random(5);
   typedef std::pair<int, int> Range;
@@ -366,7 +366,7 @@ TEST_CASE("lattice sets: dilation is the sum with a cube")
   }
 }
 
-TEST_CASE("cells: points are found in a closed cell that contains them, that of larger coordinates first")
+TEST_CASE("Cells: a point is located in a closed cell that contains it, preferably the cell of larger coordinates")
 {
   CGAL::Random random(6);
   for(double share : { 0.2, 0.6, 1. }) {
@@ -393,7 +393,7 @@ TEST_CASE("cells: points are found in a closed cell that contains them, that of 
   }
 }
 
-TEST_CASE("cells: a point one bit outside the domain is outside, so is one that is no point")
+TEST_CASE("Cells: points one ulp outside the domain, and points with NaN or infinite coordinates, are outside")
 {
   const Cells cells(quarters, { Key::encode(0, 0, 0) });
   const Point inside = { 0.1, 0.1, 0.1 };
@@ -412,7 +412,7 @@ TEST_CASE("cells: a point one bit outside the domain is outside, so is one that 
   CHECK(Cells().locate(inside) == Cells::npos);
 }
 
-TEST_CASE("cells: neighbors differ by one step along one axis, and see each other")
+TEST_CASE("Cells: neighbors differ by one step along one axis, and the relation is symmetric")
 {
   CGAL::Random random(7);
   const Sparse_cells sparse(random, -3, 2, 0.5);
@@ -441,7 +441,7 @@ TEST_CASE("cells: neighbors differ by one step along one axis, and see each othe
   CHECK(neighbors > 0);
 }
 
-TEST_CASE("cells: a box meets the cells that a search finds, and is covered if all its points are")
+TEST_CASE("Cells: a box meets the cells found by a search, and is covered if and only if all its points are")
 {
   CGAL::Random random(8);
   int covered_boxes = 0, flat_covered_boxes = 0;
@@ -494,7 +494,7 @@ TEST_CASE("cells: a box meets the cells that a search finds, and is covered if a
   CHECK(flat_covered_boxes > 100);
 }
 
-TEST_CASE("cells: a box one bit beyond the domain is not covered and meets what it reaches")
+TEST_CASE("Cells: a box one ulp larger than the domain is not covered, and still meets the cells that it reaches")
 {
   const Cells cells(quarters, { Key::encode(0, 0, 0), Key::encode(1, 0, 0) });
   const auto visited = [&](const CGAL::Bbox_3& box, bool covered) {
@@ -513,7 +513,7 @@ TEST_CASE("cells: a box one bit beyond the domain is not covered and meets what 
   CHECK(visited({ -1, -1, -1, 0, 0, 0 }, false) == 1);
 }
 
-TEST_CASE("cells: boxes that are huge, far away or no boxes are answered at once")
+TEST_CASE("Cells: queries with huge, distant, empty or NaN boxes terminate immediately")
 {
   const Cells cells(quarters, { Key::encode(0, 0, 0), Key::encode(1, 0, 0), Key::encode(3, 2, 1) });
   const auto visited = [](const Cells& cells, const CGAL::Bbox_3& box) {

@@ -133,7 +133,7 @@ Hierarchy refined_at(Hierarchy cells, const Point& p, int times)
 
 } // namespace
 
-TEST_CASE("hierarchies: leaves tile the root cells, numbered coarse ones first")
+TEST_CASE("Hierarchy: leaves tile the root cells, and are numbered from coarse to fine")
 {
   for(unsigned seed = 1; seed <= 4; ++seed) {
     const Hierarchy cells = some_hierarchy(seed);
@@ -170,7 +170,7 @@ TEST_CASE("hierarchies: leaves tile the root cells, numbered coarse ones first")
   }
 }
 
-TEST_CASE("hierarchies: without a split cell they are the cells they were made of")
+TEST_CASE("Hierarchy: without splits, the leaves are the root cells")
 {
   CGAL::Random random(5);
   const Root_cells roots = some_cells(random, lattice, { -2, -3, -1 }, { 2, 1, 1 }, 0.7);
@@ -190,7 +190,8 @@ TEST_CASE("hierarchies: without a split cell they are the cells they were made o
   CHECK_FALSE(none.visit_cells(CGAL::Bbox_3(0, 0, 0, 1, 1, 1), [](Index) {}));
 }
 
-TEST_CASE("hierarchies: what is split is the marked leaves, rings around them, and what the grading asks for, no more")
+TEST_CASE(
+  "Hierarchy: refinement splits the marked leaves, rings around them, and cells required by the grading, no others")
 {
   for(unsigned seed = 6; seed <= 9; ++seed) {
     CGAL::Random random(seed);
@@ -228,7 +229,7 @@ TEST_CASE("hierarchies: what is split is the marked leaves, rings around them, a
   }
 }
 
-TEST_CASE("hierarchies: a point is found in a closed leaf that contains it")
+TEST_CASE("Hierarchy: a point is located in a closed leaf that contains it")
 {
   for(unsigned seed = 10; seed <= 12; ++seed) {
     const Hierarchy cells = some_hierarchy(seed);
@@ -261,8 +262,7 @@ TEST_CASE("hierarchies: a point is found in a closed leaf that contains it")
   }
 }
 
-TEST_CASE(
-  "hierarchies: a box meets the leaves that a search finds, each once, and is covered if the root cells cover it")
+TEST_CASE("Hierarchy: a box meets the leaves found by a search, each once, and is covered if the root cells cover it")
 {
   for(unsigned seed = 13; seed <= 15; ++seed) {
     const Hierarchy cells = some_hierarchy(seed);
@@ -307,7 +307,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("hierarchies: neighbors are the leaves with a common part of a face, and see each other")
+TEST_CASE("Hierarchy: neighbors are exactly the leaves that share part of a face, and the relation is symmetric")
 {
   for(unsigned seed = 16; seed <= 18; ++seed) {
     const Hierarchy cells = some_hierarchy(seed);
@@ -354,7 +354,7 @@ TEST_CASE("hierarchies: neighbors are the leaves with a common part of a face, a
   }
 }
 
-TEST_CASE("hierarchies: corners of the smallest leaves are doubles, also those of cells halved eight times more")
+TEST_CASE("Hierarchy: corners of the smallest leaves are doubles, even after eight more halvings")
 {
   CGAL::Random random(19);
   std::vector<int> levels;
@@ -384,8 +384,7 @@ TEST_CASE("hierarchies: corners of the smallest leaves are doubles, also those o
   CHECK(levels.back() < 10); // where coordinates are large, bits suffice for fewer levels
 }
 
-TEST_CASE(
-  "hierarchies: leaves of the last level stay as they are, far from the lattice's origin there are fewer levels")
+TEST_CASE("Hierarchy: leaves of the last level are not split, and fewer levels exist far from the lattice's origin")
 {
   CGAL::Random random(20);
   const BS::Lattice_3 integers(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 1);
@@ -416,7 +415,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("hierarchies: where corners are no doubles, nothing is split")
+TEST_CASE("Hierarchy: cells on an inexact lattice are never split")
 {
   CGAL::Random random(21);
   const BS::Lattice_3 inexact = BS::Lattice_3::from_origin({ 0.1, 0.1, 0.1 }, 0.1, { -3, -3, -3 }, { 3, 3, 3 });
@@ -426,7 +425,7 @@ TEST_CASE("hierarchies: where corners are no doubles, nothing is split")
   CHECK(cells.refined({ 0, 5 }).number_of_cells() == cells.number_of_cells());
 }
 
-TEST_CASE("hierarchies: their leaves are all that they are made of, other sets of leaves are refused")
+TEST_CASE("Hierarchy: from_leaves() restores a hierarchy, and rejects leaves that do not form one")
 {
   typedef std::vector<std::vector<std::uint64_t> > Leaves;
   CGAL::Random random(22);

@@ -56,8 +56,7 @@ Triangle random_triangle(std::mt19937& random, double size)
 
 } // namespace
 
-TEST_CASE(
-  "Estimates: of random triangles, what is cleared is proved, and what is rejected is not, and little is left in doubt")
+TEST_CASE("Facet estimates: for random triangles, clear estimates are proved, rejections are not, and few are doubtful")
 {
   const auto shell = ball_shell();
   const Oracle oracle(shell);
@@ -79,7 +78,7 @@ TEST_CASE(
   CHECK(number[std::size_t(Facet_estimate::DOUBTFUL)] < 100);
 }
 
-TEST_CASE("Estimates: middles of edges that are known are used, and change nothing else")
+TEST_CASE("Facet estimates: known edge midpoints are used, and correct ones do not change the estimate")
 {
   const auto shell = ball_shell();
   const Oracle oracle(shell);
@@ -109,7 +108,7 @@ TEST_CASE("Estimates: middles of edges that are known are used, and change nothi
   CHECK(number[std::size_t(Facet_estimate::LEAVES_SHELL)] > 100);
 }
 
-TEST_CASE("Estimates: what leaves the shell, or turns, at no corner and no middle of an edge is not cleared")
+TEST_CASE("Facet estimates: a facet that fails only away from corners and edge midpoints is not cleared")
 {
   const auto ball = ball_shell();
   const Oracle oracle(ball);
@@ -133,7 +132,7 @@ TEST_CASE("Estimates: what leaves the shell, or turns, at no corner and no middl
         != Facet_estimate::CLEAR);
 }
 
-TEST_CASE("Estimates: an oracle that proves what is doubtful says of fans what one says that proves all")
+TEST_CASE("Facet estimates: proving only doubtful facets accepts the same fans as proving all facets")
 {
   const auto shell = ball_shell();
   const Oracle proving(shell), estimating(shell, BS::Facet_proofs::WHERE_DOUBTFUL);

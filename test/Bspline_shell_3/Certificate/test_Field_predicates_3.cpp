@@ -73,7 +73,7 @@ const double inf = std::numeric_limits<double>::infinity();
 
 } // namespace
 
-TEST_CASE("Predicates: the comparison with a level is exact")
+TEST_CASE("Predicates: the comparison of a point with a level is exact")
 {
   const Field field = random_field(1);
   const Predicates predicates(field);
@@ -110,7 +110,7 @@ TEST_CASE("Predicates: a linear field is bounded as tightly as rounding allows")
   CHECK(witness.value.min > most - 1e-11);
 }
 
-TEST_CASE("Predicates: a peak inside a facet is seen, where the edges are lower")
+TEST_CASE("Predicates: a peak inside a facet is detected, even if all edges are lower")
 {
   // f = -(x^2 + y^2): coefficients -(i^2 + j^2) + 2/3
   Field field = cube_field();
@@ -131,7 +131,7 @@ TEST_CASE("Predicates: a peak inside a facet is seen, where the edges are lower"
   CHECK(predicates.values_within(t, { -10, 1e-9 }) == Verdict::PROVED);
 }
 
-TEST_CASE("Predicates: answers agree with exact values at random points of random triangles")
+TEST_CASE("Predicates: answers agree with exact values at sample points of random triangles")
 {
   int proved = 0, refuted = 0;
   for(unsigned seed = 10; seed < 16; ++seed) {
@@ -183,7 +183,7 @@ TEST_CASE("Predicates: answers agree with exact values at random points of rando
   CHECK(refuted > 100);
 }
 
-TEST_CASE("Predicates: a facet faces the gradient or not, to a hair's breadth")
+TEST_CASE("Predicates: facets tilted by 1e-9 from the gradient are classified correctly")
 {
   const Field field = linear_field(0, 0, 1);
   const Predicates predicates(field);
@@ -197,7 +197,7 @@ TEST_CASE("Predicates: a facet faces the gradient or not, to a hair's breadth")
   CHECK(predicates.crosses_upwards({ p, q, Point_3(0, 0, 2) }) != Verdict::PROVED);
 }
 
-TEST_CASE("Predicates: a needle of width 1e-12 keeps its own normal")
+TEST_CASE("Predicates: a needle of width 1e-12 is classified by its exact normal")
 {
   const Field field = linear_field(0, 0, 1);
   const Predicates predicates(field);
@@ -213,7 +213,7 @@ TEST_CASE("Predicates: a needle of width 1e-12 keeps its own normal")
   CHECK(predicates.crosses_upwards({ q, p, up }) == Verdict::REFUTED);
 }
 
-TEST_CASE("Predicates: facets in cell faces and through lattice corners are ordinary")
+TEST_CASE("Predicates: facets in lattice planes and through lattice corners are decided like others")
 {
   Field field = cube_field();
   set(field, [](double x, double y, double z) { return z + 0.05 * std::sin(x) * std::sin(y); });
@@ -224,7 +224,7 @@ TEST_CASE("Predicates: facets in cell faces and through lattice corners are ordi
   CHECK(predicates.values_within(flat, { 1, 1.1 }) == Verdict::REFUTED);
 }
 
-TEST_CASE("Predicates: what lies outside the domain is not within any levels")
+TEST_CASE("Predicates: a facet that leaves the domain is not within any levels")
 {
   const Field field = linear_field(1, 0, 0);
   const Predicates predicates(field);
@@ -249,7 +249,7 @@ TEST_CASE("Predicates: what lies outside the domain is not within any levels")
     == Verdict::REFUTED);
 }
 
-TEST_CASE("Predicates: a long needle costs its length, not its length squared")
+TEST_CASE("Predicates: the cost of a long needle is linear in its length")
 {
   const Field field = linear_field(0, 0, 1);
   const Predicates predicates(field);
@@ -259,8 +259,7 @@ TEST_CASE("Predicates: a long needle costs its length, not its length squared")
   CHECK(statistics.by_cell + statistics.by_form < 200);
 }
 
-TEST_CASE(
-  "Predicates: a facet is decided, however many parts of the size of a cell it has and however often these are halved")
+TEST_CASE("Predicates: a facet that spans many cells is decided, however many subdivisions this takes")
 {
   // The field has waves, on two layers of cells. They are higher inside the cells than on the facet between the layers.
   constexpr int half = 80;
@@ -280,7 +279,7 @@ TEST_CASE(
   CHECK(predicates.values_within(t, { -0.99 * highest, 1.2 * highest }) == Verdict::REFUTED);
 }
 
-TEST_CASE("Predicates: nothing is said of a field that is no number, nor of a level that is none")
+TEST_CASE("Predicates: answers are undecided if a coefficient or a level is not finite")
 {
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
   for(double bad : { not_a_number, inf, -inf }) {
@@ -308,7 +307,7 @@ TEST_CASE("Predicates: nothing is said of a field that is no number, nor of a le
   }
 }
 
-TEST_CASE("Predicates: a slope that is too large for a number is bounded by one")
+TEST_CASE("Predicates: the bound of a slope beyond the largest double is finite")
 {
   constexpr double largest = std::numeric_limits<double>::max(), scale = 1e-20;
   Field field = cube_field(CGAL::ORIGIN, scale);
@@ -320,7 +319,7 @@ TEST_CASE("Predicates: a slope that is too large for a number is bounded by one"
   CHECK(slope <= largest);
 }
 
-TEST_CASE("Predicates: no side of a threshold that varies outside of the domain, be it by the last bit")
+TEST_CASE("Predicates: a point one ulp outside the domain is not beyond a varying threshold")
 {
   const Field field = linear_field(1, 0, 0);
   const BS::Spline_threshold<Field> threshold(linear_field(0.5, 0, 0));
@@ -329,7 +328,7 @@ TEST_CASE("Predicates: no side of a threshold that varies outside of the domain,
   CHECK_FALSE(predicates.is_beyond(Point_3(std::nextafter(4., 5.), 0.3, 0.2), threshold, CGAL::POSITIVE));
 }
 
-TEST_CASE("Predicates: segments along which the field increases")
+TEST_CASE("Predicates: a proved increase along a segment agrees with exact values")
 {
   const Field field = random_field(21);
   const Predicates predicates(field);
@@ -359,7 +358,7 @@ TEST_CASE("Predicates: segments along which the field increases")
   CHECK(proved > 20);
 }
 
-TEST_CASE("Predicates: between thresholds that vary, answers agree with exact values for either of them")
+TEST_CASE("Predicates: between varying thresholds, answers agree with values, and witnesses with exact values")
 {
   typedef BS::Spline_threshold<Field> Varying;
   std::array<int, 2> beyond_it = {}, refuted = {}; // by the inner threshold, and by the outer one
@@ -430,7 +429,7 @@ TEST_CASE("Predicates: between thresholds that vary, answers agree with exact va
   }
 }
 
-TEST_CASE("Predicates: the field increases above a threshold that varies where it is steeper, exactly")
+TEST_CASE("Predicates: a proved increase relative to a varying threshold agrees with exact values")
 {
   typedef BS::Spline_threshold<Field> Varying;
   int proved = 0, faster = 0;
@@ -471,7 +470,7 @@ TEST_CASE("Predicates: the field increases above a threshold that varies where i
   CHECK(faster > 20);
 }
 
-TEST_CASE("Predicates: the same answers at any scale that is a power of two, and in any rounding mode")
+TEST_CASE("Predicates: answers depend neither on a power-of-two scale nor on the rounding mode")
 {
   Field field = cube_field();
   const auto f = [](double x, double y, double z) { return std::sin(x) + std::cos(2 * y) * z; };
@@ -501,7 +500,7 @@ TEST_CASE("Predicates: the same answers at any scale that is a power of two, and
   }
 }
 
-TEST_CASE("Predicates: far from the origin, slack of 1e-12 of the box decides what is left of the coordinates")
+TEST_CASE("Predicates: far from the origin, a facet is decided if levels leave room for 1e-12 of the coordinates")
 {
   const double far = std::ldexp(1., 20);
   const Point_3 center(far, -far, far);
@@ -541,8 +540,7 @@ double thirds(CGAL::Random& random, bool up)
 
 } // namespace
 
-TEST_CASE(
-  "Predicates: what leaves the domain between its corners is not proved, also if it does so by less than rounding")
+TEST_CASE("Predicates: a simplex that leaves the domain between its corners is not proved, even by less than rounding")
 {
   CGAL::Random random(41);
   for(int missing = 0; missing < 4; ++missing)
@@ -568,7 +566,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("Predicates: a facet along the gradient does not face it, however thin it is")
+TEST_CASE("Predicates: a facet parallel to the gradient is never proved to face it, however thin")
 {
   CGAL::Random random(43);
   int inexact = 0;
@@ -594,7 +592,7 @@ TEST_CASE("Predicates: a facet along the gradient does not face it, however thin
   CHECK(inexact > 4);
 }
 
-TEST_CASE("Predicates: the bound of the slope is that of the least steep part")
+TEST_CASE("Predicates: the bound of the slope does not exceed the least slope on the facet")
 {
   CGAL::Random random(47);
   Field field = cube_field();
@@ -621,8 +619,7 @@ TEST_CASE("Predicates: the bound of the slope is that of the least steep part")
   CHECK(proved > 20);
 }
 
-TEST_CASE(
-  "Predicates: a needle sees what sticks out of the levels in any cell that it passes, however its normal is rounded")
+TEST_CASE("Predicates: a needle that leaves the levels in any of its cells is refuted, however its normal is rounded")
 {
   CGAL::Random random(53);
   int seen = 0;
@@ -674,7 +671,7 @@ Field diagonal_field(int length)
 
 } // namespace
 
-TEST_CASE("Predicates: on a segment that is long, what rounding makes of its middle is neither proved nor refuted")
+TEST_CASE("Predicates: the rounded midpoint of a long segment yields neither a false proof nor a false refutation")
 {
   // The field is a parabola along x, whose top is at the middles of all segments. It is steep across the diagonal.
   constexpr double middle = 1024.3;
@@ -701,7 +698,7 @@ TEST_CASE("Predicates: on a segment that is long, what rounding makes of its mid
   }
 }
 
-TEST_CASE("Predicates: a point that is rounded to a face of cells is no witness by the cell on the wrong side of it")
+TEST_CASE("Predicates: a point rounded onto a cell face is not a witness in the cell on the wrong side")
 {
   // The field is -x - 0.001 for negative x. For positive x, it has a cubic term, which is large even where x is less
   // than rounding.
@@ -722,7 +719,7 @@ TEST_CASE("Predicates: a point that is rounded to a face of cells is no witness 
 }
 
 TEST_CASE(
-  "Predicates: a facet is said to be in flagged cells only if it enters no other, not even by less than rounding")
+  "Predicates: a facet is proved to lie in flagged cells only if it enters no other, even by less than rounding")
 {
   typedef CGAL::Simple_cartesian<Rational> Exact;
   const Field field = cube_field();
@@ -760,7 +757,7 @@ TEST_CASE(
   CHECK(entered > 60);
 }
 
-TEST_CASE("Thresholds: differences to them and their ranges on cells")
+TEST_CASE("Thresholds: differences from a threshold, and its range on a cell, enclose exact values")
 {
   CGAL::Random random(85);
   const Field field = random_field(86), level = random_field(87);
@@ -790,7 +787,7 @@ TEST_CASE("Thresholds: differences to them and their ranges on cells")
   }
 }
 
-TEST_CASE("Predicates: the bound of a slope that is nearly subnormal is not rounded up")
+TEST_CASE("Predicates: the bound of a nearly subnormal slope is not rounded up")
 {
   // Cells are so large that slopes per user unit have only few significant bits.
   constexpr double scale = 0x1p300;
@@ -809,7 +806,7 @@ TEST_CASE("Predicates: the bound of a slope that is nearly subnormal is not roun
   CHECK(known > 5);
 }
 
-TEST_CASE("Predicates: near the ends of the range of numbers, answers are those of the scaled field, or undecided")
+TEST_CASE("Predicates: near the limits of the double range, answers agree with the scaled field's, or are undecided")
 {
   CGAL::Random random(64);
   const Field field = random_field(62);
@@ -841,7 +838,7 @@ TEST_CASE("Predicates: near the ends of the range of numbers, answers are those 
   CHECK(undecided > 4);
 }
 
-TEST_CASE("Predicates: answers and slopes are those of a field that is scaled by a power of two")
+TEST_CASE("Predicates: scaling the field by a power of two preserves answers and scales slopes exactly")
 {
   CGAL::Random random(61);
   const Field field = random_field(62);

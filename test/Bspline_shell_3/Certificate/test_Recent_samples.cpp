@@ -13,7 +13,7 @@
 namespace test_Recent_samples {
 namespace BS = CGAL::Bspline_shells;
 
-TEST_CASE("Recent samples: each vertex has its own, also if many are asked for in any order")
+TEST_CASE("Recent samples: each vertex gets its own sample, whichever vertices were requested before")
 {
   typedef BS::Second_order_bounds_3<Uniform_field> Bounds;
   typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;

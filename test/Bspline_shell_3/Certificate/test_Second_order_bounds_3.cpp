@@ -155,7 +155,7 @@ Triangle scaled(const Triangle& t, double scale)
 
 } // namespace
 
-TEST_CASE("Second-order bounds: what is proved holds at all samples, up to thresholds that samples only just keep")
+TEST_CASE("Second-order bounds: proved claims hold at all samples, and claims that barely fail are not proved")
 {
   Uniform_field field(cells_of_cube());
   const BS::Field_predicates_3<Uniform_field> predicates(field);
@@ -194,8 +194,7 @@ TEST_CASE("Second-order bounds: what is proved holds at all samples, up to thres
   CHECK(missed <= proved / 20);
 }
 
-TEST_CASE(
-  "Second-order bounds: on cells of different sizes, between thresholds that vary, what is proved holds at all samples")
+TEST_CASE("Second-order bounds: on a hierarchy, between varying thresholds, proved claims hold at all samples")
 {
   int proved = 0, transversal = 0;
   for(int seed = 1; seed < 9; ++seed) {
@@ -242,7 +241,7 @@ TEST_CASE(
   CHECK(transversal > 100);
 }
 
-TEST_CASE("Second-order bounds: a peak in a facet or on an edge is seen, by a hair, what curves away costs nothing")
+TEST_CASE("Second-order bounds: a slight peak in a facet or on an edge is detected, and curvature away costs nothing")
 {
   const Uniform_field field = uniform_field(dome);
   const Triangle around_peak = horizontal(0.2, 0.1),
@@ -286,7 +285,7 @@ TEST_CASE("Second-order bounds: a peak in a facet or on an edge is seen, by a ha
 }
 
 TEST_CASE(
-  "Second-order bounds: a facet that rises from a threshold may bend towards it by much more than the least distance")
+  "Second-order bounds: a facet that rises from a threshold may bend towards it by far more than its least distance")
 {
   // The field is x^2 + z. At z = 0.1, it exceeds the inner threshold by 0.001 where x is 0, and by 0.04 more at the
   // other end.
@@ -300,8 +299,7 @@ TEST_CASE(
   CHECK(is_contained(uniform_field(sinking), 0.1 - low, 1, t));
 }
 
-TEST_CASE(
-  "Second-order bounds: peaks are seen where a cell is most curved, and those that only mixed derivatives raise")
+TEST_CASE("Second-order bounds: peaks at the most curved part of a cell, or due to mixed derivatives, are detected")
 {
   // -(x^3 + y^3), with a peak at (0.23, 0.23) in the cell from 0 to 1/4. Its largest second derivative in the cell is
   // nearly twice the mean.
@@ -336,7 +334,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Second-order bounds: a facet that is turned only in cells that hold none of its corners is seen")
+TEST_CASE("Second-order bounds: a facet that faces away only in cells without its corners is detected")
 {
   // z times a function of x that is close to |x|, and slightly negative at 0
   constexpr double width = 0.25;
@@ -367,7 +365,7 @@ TEST_CASE("Second-order bounds: a facet that is turned only in cells that hold n
   }
 }
 
-TEST_CASE("Second-order bounds: what a facet's own plane does not show costs nothing")
+TEST_CASE("Second-order bounds: curvature across a facet's plane does not weaken its bounds")
 {
   // The field is steep and curved across the facet, but linear in its plane.
   const Uniform_field field = uniform_field(
@@ -382,8 +380,8 @@ TEST_CASE("Second-order bounds: what a facet's own plane does not show costs not
   CHECK(examine(between(field, -1, 2), t, many, 100).slope > 0.9 * slope);
 }
 
-TEST_CASE("Second-order bounds: a bump in a few of the smallest cells is seen, wherever it is on a facet, and in a "
-          "threshold as well")
+TEST_CASE(
+  "Second-order bounds: a bump of the field or of a threshold in the smallest cells is detected anywhere on a facet")
 {
   CGAL::Random random(3);
   Hierarchical_field field(random_hierarchy(random, cells_of_cube(), 4, 1));
@@ -451,8 +449,7 @@ TEST_CASE("Second-order bounds: a bump in a few of the smallest cells is seen, w
   CHECK(bumps == 7);
 }
 
-TEST_CASE("Second-order bounds: a facet faces along the gradient or not, to a hair's breadth, and the slope is that of "
-          "the closed form")
+TEST_CASE("Second-order bounds: facets tilted by 1e-9 are classified correctly, and slopes agree with closed forms")
 {
   const Uniform_field field = uniform_field(height);
   const Bounds flat = between(field, -2, 2);
@@ -486,7 +483,7 @@ TEST_CASE("Second-order bounds: a facet faces along the gradient or not, to a ha
 }
 
 TEST_CASE(
-  "Second-order bounds: needles, and facets in planes of cell faces and with corners at corners of cells, are ordinary")
+  "Second-order bounds: needles, facets in lattice planes, and corners at lattice points are handled like others")
 {
   const Uniform_field field = uniform_field(height);
   const Bounds bounds = between(field, -0.95, 0.95);
@@ -509,7 +506,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Second-order bounds: nothing is proved beyond the end of the domain, nor across a hole in it")
+TEST_CASE("Second-order bounds: nothing is proved beyond the end of the domain, or across a hole in it")
 {
   std::vector<std::uint64_t> keys;
   for(int k = -4; k < 4; ++k)
@@ -551,8 +548,7 @@ TEST_CASE("Second-order bounds: nothing is proved beyond the end of the domain, 
   CHECK_FALSE(examine(none, horizontal(0.1, 0)).is_transversal);
 }
 
-TEST_CASE(
-  "Second-order bounds: nothing is proved where the field or a threshold is no number, elsewhere all is as ever")
+TEST_CASE("Second-order bounds: coefficients that are not finite prevent proofs where they act, and nowhere else")
 {
   Hierarchical_field field = hierarchical_field(height);
   Hierarchical_field inner = field, outer = field;
@@ -597,7 +593,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Second-order bounds: rounding proves nothing where values are large compared with their differences")
+TEST_CASE("Second-order bounds: rounding yields no false proof if values are large compared with their differences")
 {
   CGAL::Random random(41);
   int exceeded = 0, turned = 0;
@@ -631,8 +627,7 @@ TEST_CASE("Second-order bounds: rounding proves nothing where values are large c
   CHECK(turned > 10);
 }
 
-TEST_CASE("Second-order bounds: the answers are the same at any scale that is a power of two, and what is wrong is "
-          "proved at none")
+TEST_CASE("Second-order bounds: answers do not depend on a power-of-two scale, and false claims are proved at none")
 {
   const Triangle t = horizontal(0.2, 0.1);
   const auto fields = [](double scale) {
@@ -673,7 +668,7 @@ TEST_CASE("Second-order bounds: the answers are the same at any scale that is a 
   }
 }
 
-TEST_CASE("Second-order bounds: fewer bisections prove less, never anything else")
+TEST_CASE("Second-order bounds: fewer bisections prove fewer claims, and never different ones")
 {
   CGAL::Random random(23);
   Uniform_field field(cells_of_cube());
@@ -699,7 +694,7 @@ TEST_CASE("Second-order bounds: fewer bisections prove less, never anything else
   CHECK(proved[1] < proved[3]);
 }
 
-TEST_CASE("Second-order bounds: the bound of the slope is near what the slope is, as far as that is wanted")
+TEST_CASE("Second-order bounds: the bound of the slope is close to the least slope, up to the requested value")
 {
   CGAL::Random random(29);
   Uniform_field field(cells_of_cube());
@@ -721,7 +716,8 @@ TEST_CASE("Second-order bounds: the bound of the slope is near what the slope is
   }
 }
 
-TEST_CASE("Second-order bounds: rigorous in any rounding mode, and the same whichever mode cells are met in first")
+TEST_CASE(
+  "Second-order bounds: results are rigorous in any rounding mode, and do not depend on the mode of the first query")
 {
   CGAL::Random random(31);
   Uniform_field field(cells_of_cube());
@@ -749,7 +745,7 @@ TEST_CASE("Second-order bounds: rigorous in any rounding mode, and the same whic
   }
 }
 
-TEST_CASE("Second-order bounds: the facets of a mesh in a shell are proved, nearly all, with few bisections")
+TEST_CASE("Second-order bounds: few bisections prove nearly all facets of a mesh in a shell")
 {
   const Uniform_field field = uniform_field(squared_distance);
   const Bounds bounds = between(field, 0.3, 0.66);
@@ -771,7 +767,7 @@ TEST_CASE("Second-order bounds: the facets of a mesh in a shell are proved, near
   }
 }
 
-TEST_CASE("Second-order bounds: near the origin, where places have no errors, roundings of values prove nothing",
+TEST_CASE("Second-order bounds: near the origin, where positions are exact, rounded values yield no false proof",
           "[slow]")
 {
   CGAL::Random random(61);
@@ -801,7 +797,7 @@ TEST_CASE("Second-order bounds: near the origin, where places have no errors, ro
   CHECK(turned == 16);
 }
 
-TEST_CASE("Second-order bounds: what only a mixed derivative raises is seen for each pair of axes")
+TEST_CASE("Second-order bounds: a peak due to a mixed derivative is detected for each pair of axes")
 {
   // x y, and permutations, on needles along the diagonal; higher in the middle
   for(int axis = 0; axis < 3; ++axis)
@@ -833,7 +829,7 @@ TEST_CASE("Second-order bounds: what only a mixed derivative raises is seen for 
     }
 }
 
-TEST_CASE("Second-order bounds: a facet along the gradient does not face it, however thin it is")
+TEST_CASE("Second-order bounds: a facet parallel to the gradient does not face it, however thin")
 {
   CGAL::Random random(67);
   int inexact = 0;
@@ -859,7 +855,7 @@ TEST_CASE("Second-order bounds: a facet along the gradient does not face it, how
   CHECK(inexact > 100);
 }
 
-TEST_CASE("Second-order bounds: what leaves the domain between its corners by less than rounding is not proved")
+TEST_CASE("Second-order bounds: a facet that leaves the domain between its corners by less than rounding is not proved")
 {
   CGAL::Random random(71);
   // The exact point at 3/16 of the way from -x to y is on one side of zero. Repeated midpoints with rounding are on the
@@ -1004,8 +1000,7 @@ Point_3 with_axes(int a, double x, int b, double y, double z)
 
 } // namespace
 
-TEST_CASE("Second-order bounds: of a field known to within a radius, what is proved or refuted holds for all functions "
-          "within it")
+TEST_CASE("Second-order bounds: verdicts on a field with an error radius hold for all functions within the radius")
 {
   const Triangle small = { Point_3(0.5, 0.5, 0.5), Point_3(0.51, 0.5, 0.5), Point_3(0.5, 0.51, 0.5) };
   const auto found = [&](const Tricubic& b, double inner, double outer, const Triangle& t) {
@@ -1013,7 +1008,7 @@ TEST_CASE("Second-order bounds: of a field known to within a radius, what is pro
     return examine(between(field, inner, outer), t);
   };
   const Tricubic rise = product(one, one, rising);
-  SECTION("values: what is zero on the facet may be one, or minus one")
+  SECTION("values: functions within the radius differ by up to the radius")
   {
     CHECK_FALSE(found(10. * rise, -0.75, 10, small).is_contained);
     CHECK_FALSE(found(10. * rise, -10, 0.75, small).is_contained);
@@ -1023,7 +1018,7 @@ TEST_CASE("Second-order bounds: of a field known to within a radius, what is pro
     CHECK(found(10. * rise, 10, 20, small).leaves_shell);
     CHECK(found(10. * rise, -20, -10, small).leaves_shell);
   }
-  SECTION("slopes: coefficients that go up and down by one change those by six")
+  SECTION("slopes: functions within the radius differ by up to six times the radius")
   {
     // Some function within the radius has a slope of the other sign where t is 0.
     CHECK_FALSE(found(5. / 6 * rise, -100, 100, small).is_transversal);
@@ -1033,8 +1028,7 @@ TEST_CASE("Second-order bounds: of a field known to within a radius, what is pro
     CHECK(steep.is_transversal);
     CHECK(steep.slope <= 60 - 6);
   }
-  SECTION(
-    "second derivatives: 6 x (x - 3) is within one of linear functions on each of three cells, and low in the middle")
+  SECTION("second derivatives: 6 x (x - 3) has a dip, though a linear function is within the radius in each cell")
   {
     std::vector<Known_cells::Piece> cells;
     for(int i = 0; i < 3; ++i) {
@@ -1063,7 +1057,7 @@ TEST_CASE("Second-order bounds: of a field known to within a radius, what is pro
   }
 }
 
-TEST_CASE("Second-order bounds: threads that ask for the same cells at once get what one thread gets")
+TEST_CASE("Second-order bounds: concurrent requests for the same cells yield the same results as one thread")
 {
   CGAL::Random random(5);
   Hierarchical_field field(random_hierarchy(random, cells_of_cube(), 4, 2));
@@ -1088,7 +1082,7 @@ TEST_CASE("Second-order bounds: threads that ask for the same cells at once get 
   }
 }
 
-TEST_CASE("Second-order bounds: an exception of the field's passes through, and the cell can be asked for again")
+TEST_CASE("Second-order bounds: an exception of the field propagates, and the cell can be requested again")
 {
   const Failing_cells field(10. * product(one, one, rising));
   const BS::Second_order_bounds_3<Failing_cells> bounds(field, Constant(-5), Constant(5));
@@ -1100,8 +1094,7 @@ TEST_CASE("Second-order bounds: an exception of the field's passes through, and 
   CHECK(examine(bounds, t).is_contained);
 }
 
-TEST_CASE(
-  "Second-order bounds: a facet in a threshold's range leaves the shell only where it does, by the threshold there")
+TEST_CASE("Second-order bounds: a facet leaves the shell only if it passes the local value of the threshold")
 {
   // The thresholds vary by less than 1/1000 of the thickness.
   const auto leaves = [](double value) {
@@ -1120,9 +1113,9 @@ TEST_CASE(
   CHECK(leaves(1 + 1e-3).second);
 }
 
-TEST_CASE("Second-order bounds: what is proved holds for all normals within their radius")
+TEST_CASE("Second-order bounds: proved claims hold for all normals within the radius")
 {
-  SECTION("the slope along one that is not the middle one")
+  SECTION("the slope along a normal other than the central one is bounded")
   {
     // 3 z + phi(x), where phi' is near zero at the corners, and -72 halfway between them
     constexpr double radius = 1. / 16;
@@ -1134,7 +1127,7 @@ TEST_CASE("Second-order bounds: what is proved holds for all normals within thei
                                       BS::Facet_normal{ { 0, 0, 1 }, radius }, many);
     CHECK_FALSE(found.is_transversal);
   }
-  SECTION("cells that the facet reaches, but the plane across the middle one does not")
+  SECTION("cells are examined that the facet reaches, but the plane of the central normal does not")
   {
     // 3000 z^3 (2.875 - x) for negative z, and zero above, plus a function that vanishes on the facet and rises across
     // it.
@@ -1161,7 +1154,7 @@ TEST_CASE("Second-order bounds: what is proved holds for all normals within thei
   }
 }
 
-TEST_CASE("Second-order bounds: a mixed derivative that changes its sign in a cell is seen, whichever axes it mixes")
+TEST_CASE("Second-order bounds: a mixed derivative that changes its sign in a cell is detected, for any pair of axes")
 {
   for(int a = 0; a < 3; ++a)
     for(int b = 0; b < 3; ++b) {
@@ -1211,8 +1204,7 @@ TEST_CASE("Second-order bounds: a mixed derivative that changes its sign in a ce
     }
 }
 
-TEST_CASE("Second-order bounds: a slope that falls as fast as the bound allows to the middle of a facet, and then "
-          "rises, is seen")
+TEST_CASE("Second-order bounds: a slope that falls as fast as the bound allows, and then rises, is detected")
 {
   // 3 z (phi(x) - hair), where phi is 3 |x| except near 0, on cells of width 1/8. Here, the bound allows a fall that is
   // only 1/25 larger than the actual one.
@@ -1233,8 +1225,7 @@ TEST_CASE("Second-order bounds: a slope that falls as fast as the bound allows t
   CHECK(examine(between(steep, -100, 100), t, 0).is_transversal);
 }
 
-TEST_CASE("Second-order bounds: far from the origin, a facet that is turned where its middle is rounded away is not "
-          "proved to face upwards")
+TEST_CASE("Second-order bounds: far from the origin, a facet that faces away only at a rounded midpoint is not proved")
 {
   // The cell begins at 2^30. Relative to its corner, the slope along z is 9 (x - 1/2)^2 / 2^17 - 12 (z - 1/2) + 3 ulp.
   const double far = std::ldexp(1., 30), ulp = std::ldexp(1., -22);
@@ -1256,8 +1247,8 @@ TEST_CASE("Second-order bounds: far from the origin, a facet that is turned wher
   CHECK_FALSE(examine(between(field, -100, 100), t).is_transversal);
 }
 
-TEST_CASE("Second-order bounds: far from the origin, a facet that crosses a threshold where its middle is rounded away "
-          "is not proved contained")
+TEST_CASE(
+  "Second-order bounds: far from the origin, a facet beyond a threshold only at a rounded midpoint is not proved")
 {
   // The cell begins at 2^30. Relative to its corner, the field is 12 (x - 1/2)^2 + 6 (z - 1/2). For the outer
   // threshold, the first term is subtracted.
@@ -1282,7 +1273,7 @@ TEST_CASE("Second-order bounds: far from the origin, a facet that crosses a thre
   }
 }
 
-TEST_CASE("Second-order bounds: a facet is low in a cell that holds one of its corners only")
+TEST_CASE("Second-order bounds: a dip in a cell that holds only one corner of the facet is detected")
 {
   // 600 (x - 1)^3 (y - 1/2) where x > 1, plus a function that rises along z. It is zero at all corners, and -11 at a
   // point of an edge.

@@ -121,7 +121,7 @@ std::set<std::size_t> facets_at(const Mesh& mesh, Mesh::Vertex_index v)
 
 } // namespace
 
-TEST_CASE("Certificate: the shell of a sphere is certified, with quantities that hold")
+TEST_CASE("Certificate: the shell of a sphere is certified, and reported bounds hold")
 {
   const Mesh mesh = sphere(2);
   const CGAL::Bspline_shell_3<> shell = CGAL::bspline_shell_3(mesh, P::resolution(16));
@@ -195,9 +195,9 @@ TEST_CASE("Certificate: the shell of a sphere is certified, with quantities that
   CHECK(other.verify(mesh));
 }
 
-TEST_CASE("Certificate: bounds hold for all of the shell, also where the field is steeper and the thresholds are wider "
-          "than at its lowest cells",
-          "[slow]")
+TEST_CASE(
+  "Certificate: bounds hold in the whole shell, even if the field is steeper and the shell thicker in some parts",
+  "[slow]")
 {
   const Mesh mesh = sphere(2);
   // The field is ten times as steep above as below.
@@ -230,7 +230,7 @@ TEST_CASE("Certificate: bounds hold for all of the shell, also where the field i
   CHECK(varying.displacement_bound() >= 0.6);
 }
 
-TEST_CASE("Certificate: components side by side and nested have shells of their own")
+TEST_CASE("Certificate: adjacent and nested mesh components have separate shell components")
 {
   Mesh mesh = sphere(2);
   Mesh hole = sphere(2, 0.4);
@@ -245,7 +245,7 @@ TEST_CASE("Certificate: components side by side and nested have shells of their 
   CHECK(certificate.paths().size() == 3);
 }
 
-TEST_CASE("Certificate: a fan that winds twice is a double cover, although all facets face the field")
+TEST_CASE("Certificate: a fan that winds twice is detected as a double cover, although all facets face the gradient")
 {
   const Mesh mesh = pentagram_bipyramid();
   const Field field = radial_field();
@@ -259,7 +259,7 @@ TEST_CASE("Certificate: a fan that winds twice is a double cover, although all f
   CHECK_FALSE(certificate);
 }
 
-TEST_CASE("Certificate: a facet that is turned over is refuted and named")
+TEST_CASE("Certificate: an inverted facet is refuted and reported")
 {
   Mesh mesh = sphere(2);
   const auto v = *mesh.vertices().begin();
@@ -282,7 +282,7 @@ TEST_CASE("Certificate: a facet that is turned over is refuted and named")
   CHECK(certificate.least_angle() == 0);
 }
 
-TEST_CASE("Certificate: nested sheets in one shell are refuted, and so is their degree")
+TEST_CASE("Certificate: nested sheets in one shell component are refuted, and so is the claim of degree one")
 {
   Mesh mesh = sphere(2, 0.9);
   CGAL::copy_face_graph(sphere(2, 1.1), mesh);
@@ -300,7 +300,7 @@ TEST_CASE("Certificate: nested sheets in one shell are refuted, and so is their 
   }
 }
 
-TEST_CASE("Certificate: any count but one refutes, also if it is odd")
+TEST_CASE("Certificate: any crossing count other than one is refuted, even if it is odd")
 {
   Mesh mesh = sphere(2, 0.9);
   for(double radius : { 1., 1.1 }) CGAL::copy_face_graph(sphere(2, radius), mesh);
@@ -311,7 +311,7 @@ TEST_CASE("Certificate: any count but one refutes, also if it is odd")
     if(w.claim == Claim::DEGREE_ONE) CHECK(w.count == 3);
 }
 
-TEST_CASE("Certificate: where there are critical points, the count along one path refutes nothing")
+TEST_CASE("Certificate: if critical points are possible, the crossing count of one path refutes nothing")
 {
   // The field has a dent between the thresholds, away from the mesh.
   Field field = radial_field();
@@ -335,8 +335,8 @@ TEST_CASE("Certificate: where there are critical points, the count along one pat
   CHECK(said == 1);
 }
 
-TEST_CASE("Certificate: a critical point in the shell is refuted, one on its boundary is not overlooked, one beyond "
-          "does no harm")
+TEST_CASE("Certificate: a critical point refutes the claim in the shell, prevents a proof on its boundary, and is "
+          "harmless beyond")
 {
   // |x - c|^2, exactly; c is not a corner of any box
   const Point_3 c(0.31, -0.13, 0.17);
@@ -369,7 +369,7 @@ TEST_CASE("Certificate: a critical point in the shell is refuted, one on its bou
   CHECK(certify(quadratic_field(1, 1, 1), -0.5, highest, sphere(2, 2)).verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
 }
 
-TEST_CASE("Certificate: a critical point that is not in the shell refutes nothing, however near it is")
+TEST_CASE("Certificate: a critical point outside the shell refutes nothing, however close it is")
 {
   // f = A(x) + ((y - 0.31)^2 + (z + 0.13)^2) / 10, with A'' = bend + |x| up to |x| = 1, and 1 + bend beyond. The
   // function is convex, so its only critical point is its minimum, at x = c. Across the box of the cover that contains
@@ -395,8 +395,7 @@ TEST_CASE("Certificate: a critical point that is not in the shell refutes nothin
   CHECK(certify(field, CGAL::to_double(least) - 1e-3, 1.2, mesh).verdict(Claim::GRADIENT) == Verdict::REFUTED);
 }
 
-TEST_CASE(
-  "Certificate: a critical point in another component of the shell refutes nothing, even where both are in one cover")
+TEST_CASE("Certificate: a critical point in another shell component refutes nothing, even if one cover contains both")
 {
   // two wells along x, with a saddle between them
   Field field = cube_field(8, 0.5);
@@ -425,7 +424,7 @@ TEST_CASE(
   REQUIRE(certificate.cover()->component(right) == 0);
 }
 
-TEST_CASE("Certificate: a saddle off the lattice is proved to be one")
+TEST_CASE("Certificate: a saddle away from the lattice is proved to be a critical point")
 {
   // x^2 + y^2 - z^2 plus linear terms; the saddle is not at a corner of any box
   Field field = cube_field(4, 1);
@@ -449,7 +448,7 @@ TEST_CASE("Certificate: a saddle off the lattice is proved to be one")
   CHECK_FALSE(BS::prove_critical_point(BS::enclosed_value(field.cell(field.locate(Point_3(3.5, 3.5, 3.5))))));
 }
 
-TEST_CASE("Certificate: what reaches the end of the domain is not in its interior")
+TEST_CASE("Certificate: a shell that reaches the end of the domain is not proved to be in its interior")
 {
   const Field field = radial_field(); // the domain extends to 1.5 along the axes
   const Mesh mesh = sphere(2);
@@ -463,7 +462,7 @@ TEST_CASE("Certificate: what reaches the end of the domain is not in its interio
   }
 }
 
-TEST_CASE("Certificate: a vertex that sticks out by 1e-12 is refuted, so is a mesh elsewhere")
+TEST_CASE("Certificate: a vertex that sticks out by 1e-12 is refuted, and so is a mesh outside the shell")
 {
   const Field field = radial_field();
   Mesh mesh = sphere(2);
@@ -502,7 +501,7 @@ TEST_CASE("Certificate: a vertex that sticks out by 1e-12 is refuted, so is a me
   }
 }
 
-TEST_CASE("Certificate: facets in faces of cells, and far from the origin")
+TEST_CASE("Certificate: meshes with facets in lattice planes, and meshes far from the origin, are certified")
 {
   // The sides of a cube are in lattice planes. Far from any critical point, the field is exactly |x|^2.
   const Field field = quadratic_field(1, 1, 1);
@@ -516,7 +515,7 @@ TEST_CASE("Certificate: facets in faces of cells, and far from the origin")
   CHECK(certificate.verify(mesh));
 }
 
-TEST_CASE("Certificate: a needle of width 1e-12 is decided by its exact normal")
+TEST_CASE("Certificate: a needle of width 1e-12 is classified by its exact normal")
 {
   Mesh mesh = sphere(2);
   // A facet is split at a point 1e-12 from one of its edges, into two facets and a needle.
@@ -540,7 +539,7 @@ TEST_CASE("Certificate: a needle of width 1e-12 is decided by its exact normal")
   CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
 }
 
-TEST_CASE("Certificate: the same after scaling by a power of two, with any number of threads, in any rounding mode")
+TEST_CASE("Certificate: results do not depend on a power-of-two scale, the number of threads or the rounding mode")
 {
   const Mesh mesh = pentagram_bipyramid();
   const Certificate reference = certify(radial_field(), 0.28, 1.1, mesh);
@@ -582,7 +581,7 @@ TEST_CASE("Certificate: the same after scaling by a power of two, with any numbe
   }
 }
 
-TEST_CASE("Certificate: of a field on cells whose corners are no doubles, nothing is proved")
+TEST_CASE("Certificate: nothing is proved for a field on an inexact lattice")
 {
   const auto field_on = [](double spacing) {
     const BS::Lattice_3::Point first = { -12, -12, -12 }, last = { 11, 11, 11 };
@@ -607,7 +606,8 @@ TEST_CASE("Certificate: of a field on cells whose corners are no doubles, nothin
   CHECK(certify(exact, 0.75, 1.05, sphere(2, 0.9)));
 }
 
-TEST_CASE("Certificate: a coefficient that is no number proves nothing, in the field or in a threshold", "[slow]")
+TEST_CASE("Certificate: a coefficient that is not finite, in the field or in a threshold, prevents certification",
+          "[slow]")
 {
   typedef BS::Spline_threshold<Field> Varying;
   const Mesh mesh = sphere(2);
@@ -662,7 +662,7 @@ TEST_CASE("Certificate: a coefficient that is no number proves nothing, in the f
   CHECK(undecided > 0);
 }
 
-TEST_CASE("Certificate: what is no closed mesh has a status, and no claim is proved")
+TEST_CASE("Certificate: an open or empty mesh has a status, and no claim is proved")
 {
   Mesh open = sphere(1);
   CGAL::Euler::remove_face(open.halfedge(*open.faces().begin()), open);
@@ -674,7 +674,7 @@ TEST_CASE("Certificate: what is no closed mesh has a status, and no claim is pro
   CHECK(certify(field, 0.8, 1.2, Mesh()).status() == BS::Shell_status::EMPTY_MESH);
 }
 
-TEST_CASE("Thresholds that vary: constant ones prove the same, steep ones nothing")
+TEST_CASE("Varying thresholds: constant thresholds prove the same as levels, and too steep thresholds are not proved")
 {
   typedef BS::Spline_threshold<Field> Varying;
   const Field field = radial_field();
@@ -723,7 +723,7 @@ TEST_CASE("Thresholds that vary: constant ones prove the same, steep ones nothin
   }
 }
 
-TEST_CASE("Thresholds that vary: an overhang of either of them is not certified")
+TEST_CASE("Varying thresholds: an overhang of either threshold is not certified")
 {
   typedef BS::Spline_threshold<Field> Varying;
   const Field field = radial_field();
@@ -825,8 +825,7 @@ bool proves_degree(const BS::Crossing_path& path, const Field& field, const Inne
 
 } // namespace
 
-TEST_CASE("Certificate: the paths that the degree is proved by begin and end beyond the shell, rise all the way and "
-          "cross the mesh once")
+TEST_CASE("Certificate: paths that prove the degree start and end outside the shell, rise, and cross the mesh once")
 {
   typedef BS::Spline_threshold<Field> Varying;
   const Mesh mesh = sphere(1);
@@ -864,8 +863,7 @@ TEST_CASE("Certificate: the paths that the degree is proved by begin and end bey
   CHECK(paths > 20);
 }
 
-TEST_CASE("Certificate: paths go through their facets, also where these are so narrow that rounding moves a path into "
-          "the next one")
+TEST_CASE("Certificate: paths cross the mesh once, even if facets are so narrow that rounding displaces the paths")
 {
   constexpr double spacing = 0x1p-20, unit = 0x1p-32; // width of a cell; one unit in the last place of coordinates
   const BS::Lattice_3 lattice = BS::Lattice_3::from_origin({ 0x1p20, 0x1p20, 0x1p20 }, spacing, { -1, -1, -1 },
@@ -916,7 +914,7 @@ TEST_CASE("Certificate: paths go through their facets, also where these are so n
   }
 }
 
-TEST_CASE("Thresholds that vary: a box is said to be between them only if it is")
+TEST_CASE("Varying thresholds: a box is classified as between the thresholds only if it is")
 {
   typedef BS::Spline_threshold<Field> Varying;
   const Field field = radial_field();
@@ -965,7 +963,7 @@ struct Failing_field : Field
   mutable long left = -1;
 };
 
-TEST_CASE("Certificate: whatever is thrown while a mesh is examined leaves nothing proved")
+TEST_CASE("Certificate: an exception during the verification leaves nothing proved")
 {
   Failing_field field(radial_field());
   const Mesh mesh = sphere(1);
@@ -989,7 +987,7 @@ TEST_CASE("Certificate: whatever is thrown while a mesh is examined leaves nothi
   }
 }
 
-TEST_CASE("Certificate: nothing is proved of a mesh that was refused, nor kept of the one before")
+TEST_CASE("Certificate: for a rejected mesh, nothing is proved, and no result of the previous mesh is kept")
 {
   const Field field = radial_field();
   Mesh open = sphere(2);
@@ -1008,7 +1006,7 @@ TEST_CASE("Certificate: nothing is proved of a mesh that was refused, nor kept o
   }
 }
 
-TEST_CASE("Certificate: what refutes a claim is listed, however many places are undecided before")
+TEST_CASE("Certificate: a refuting witness is listed, however many undecided places precede it")
 {
   BS::Certificate_report report;
   Place w = {};
@@ -1022,7 +1020,7 @@ TEST_CASE("Certificate: what refutes a claim is listed, however many places are 
   CHECK(report.total_number_of_witnesses() == 2 * BS::Certificate_report::max_witnesses + 1);
 }
 
-TEST_CASE("Certificate: witnesses are bounded, and counted")
+TEST_CASE("Certificate: the list of witnesses is bounded, and their total number is counted")
 {
   const Field field = radial_field();
   Mesh mesh = sphere(3);
@@ -1038,7 +1036,7 @@ TEST_CASE("Certificate: witnesses are bounded, and counted")
   for(const auto& facet : certificate.facets()) CHECK(facet.transversality == Verdict::REFUTED);
 }
 
-TEST_CASE("Cover: a box is not monotone where a threshold is steeper than the field, however small both are")
+TEST_CASE("Cover: a box where a threshold is slightly steeper than the field is not monotone, at any scale")
 {
   typedef BS::Spline_threshold<Field> Varying;
   const auto check = [](int axes, double s) {
@@ -1070,7 +1068,7 @@ TEST_CASE("Cover: a box is not monotone where a threshold is steeper than the fi
     for(double s : { 1.8e-163, 3e-163, 1e-162 }) check(axes, s);
 }
 
-TEST_CASE("Cover: the least gradient is not more than what the field has, however small it is")
+TEST_CASE("Cover: the bound of the least gradient does not exceed the field's gradient, however small it is")
 {
   for(double s : { 1., 1e-140, 1e-155, 1e-160, 1e-200 }) {
     CAPTURE(s);
@@ -1096,7 +1094,7 @@ TEST_CASE("Cover: the least gradient is not more than what the field has, howeve
   }
 }
 
-TEST_CASE("Certificate: thresholds on other cells than the field's are refused")
+TEST_CASE("Certificate: thresholds on cells other than the field's are rejected")
 {
   typedef BS::Spline_threshold<Field> Varying;
   const Field field = radial_field();
@@ -1150,8 +1148,7 @@ void check_is_scaled(const Any_certificate& certificate, const Any_certificate& 
 
 } // namespace
 
-TEST_CASE("Certificate: scaling field and thresholds by a power of two changes no claim and no angle, and scales "
-          "gradients exactly")
+TEST_CASE("Certificate: scaling field and levels by a power of two preserves verdicts and angles, and scales gradients")
 {
   // a sphere that is proved; a double cover that is refuted; a shell with a critical point; a shell with critical
   // points beyond a threshold
@@ -1189,8 +1186,7 @@ TEST_CASE("Certificate: scaling field and thresholds by a power of two changes n
   }
 }
 
-TEST_CASE("Certificate: scaling field and thresholds that vary by a power of two changes nothing but gradients, nor "
-          "bounds of facets' displacements")
+TEST_CASE("Certificate: scaling field and varying thresholds by a power of two changes only the gradients")
 {
   typedef BS::Spline_threshold<Field> Varying;
   typedef BS::Shell_certificate_3<Field, Varying> Varying_certificate;

@@ -229,7 +229,7 @@ Mesh pentagram_bipyramid()
 
 } // namespace
 
-TEST_CASE("Predicates on leaves of different size: the comparison with a level is exact")
+TEST_CASE("Predicates on a hierarchy: the comparison of a point with a level is exact")
 {
   Field field = deep_field();
   CGAL::Random random(1);
@@ -253,7 +253,7 @@ TEST_CASE("Predicates on leaves of different size: the comparison with a level i
   CHECK_FALSE(predicates.compare(Point_3(5, 0, 0), 0));
 }
 
-TEST_CASE("Predicates on leaves of different size: answers agree with exact values on facets over all of them")
+TEST_CASE("Predicates on a hierarchy: answers agree with exact values on facets that cross leaves of all sizes")
 {
   Field field = deep_field();
   const Predicates predicates(field);
@@ -309,7 +309,7 @@ TEST_CASE("Predicates on leaves of different size: answers agree with exact valu
   CHECK(refuted > 40);
 }
 
-TEST_CASE("Predicates on leaves of different size: slopes are those of the leaf, per user unit")
+TEST_CASE("Predicates on a hierarchy: slopes are per user unit, whatever the size of the leaf")
 {
   Field field = deep_field();
   set(field, [](double x, double y, double z, int) { return 0.5 * x - y + 2 * z; });
@@ -343,7 +343,7 @@ TEST_CASE("Predicates on leaves of different size: slopes are those of the leaf,
   CHECK(predicates.values_within(Triangle{ p, q, r }, { least - 1, most - 1e-11 }) == Verdict::REFUTED);
 }
 
-TEST_CASE("Predicates on leaves of different size: a facet costs what it meets, not what there is")
+TEST_CASE("Predicates on a hierarchy: the cost of a facet depends only on the leaves that it meets")
 {
   // One facet is small, and far from the smallest leaves; the other one is large, and crosses them.
   Field field = deep_field();
@@ -361,7 +361,7 @@ TEST_CASE("Predicates on leaves of different size: a facet costs what it meets, 
   CHECK(statistics.by_cell + statistics.by_form < 20 * field.number_of_cells());
 }
 
-TEST_CASE("Certificate on leaves of different size: a sphere is certified, with quantities that hold")
+TEST_CASE("Certificate on a hierarchy: the shell of a sphere is certified, and reported bounds hold")
 {
   const Field field = radial_field();
   const Mesh mesh = sphere(2);
@@ -397,7 +397,7 @@ TEST_CASE("Certificate on leaves of different size: a sphere is certified, with 
   CHECK(certificate.displacement_bound() >= 0.35 / least);
 }
 
-TEST_CASE("Certificate on leaves of different size: what is wrong is refuted, or at least not proved")
+TEST_CASE("Certificate on a hierarchy: false claims are refuted, or at least not proved")
 {
   const Field field = radial_field();
   CHECK(
@@ -451,8 +451,7 @@ TEST_CASE("Certificate on leaves of different size: what is wrong is refuted, or
   CHECK(named);
 }
 
-TEST_CASE("Certificate on leaves of different size: the same after scaling by a power of two, with any number of "
-          "threads, in any rounding mode")
+TEST_CASE("Certificate on a hierarchy: results do not depend on a power-of-two scale, threads or the rounding mode")
 {
   const Mesh mesh = pentagram_bipyramid();
   const Field field = radial_field();
@@ -480,7 +479,7 @@ TEST_CASE("Certificate on leaves of different size: the same after scaling by a 
   }
 }
 
-TEST_CASE("Certificate on leaves of different size: nothing without exact corners, nothing without numbers")
+TEST_CASE("Certificate on a hierarchy: inexact corners or coefficients that are not finite prevent certification")
 {
   CGAL::Random random(5);
   const BS::Lattice_3 lattice = BS::Lattice_3::from_origin({ 0.1, 0.1, 0.1 }, 0.2, { -8, -8, -8 }, { 7, 7, 7 });
@@ -515,8 +514,7 @@ TEST_CASE("Certificate on leaves of different size: nothing without exact corner
   CHECK(unproved.verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
 }
 
-TEST_CASE("Certificate with a cover that is known: as without it for other meshes, also for those with fewer "
-          "components, in any order")
+TEST_CASE("Certificate with a known cover: results agree with results without it, for any sequence of meshes")
 {
   const Field field = two_balls();
   const Certificate proved = certify(field, inner_level, outer_level, together(left(), right()));
@@ -555,8 +553,7 @@ TEST_CASE("Certificate with a cover that is known: as without it for other meshe
   CHECK(sharing.facets().front().slope == certify(field, inner_level, outer_level, left(0.46)).facets().front().slope);
 }
 
-TEST_CASE("Certificate with a cover that is known: it is of use where components share a part of it, too, but not "
-          "where it knows nothing")
+TEST_CASE("Certificate with a known cover: components that share part of the cover reuse it, unless it is incomplete")
 {
   const Field field = two_balls();
   const Certificate all = certify(field, inner_level, outer_level, together(left(), right()));
@@ -591,7 +588,7 @@ TEST_CASE("Certificate with a cover that is known: it is of use where components
   CHECK(by_silent.least_gradient() == of_left.least_gradient());
 }
 
-TEST_CASE("Certificate: components of the mesh that share a component of the cover are told apart by paths")
+TEST_CASE("Certificate: paths separate mesh components that share a cover component")
 {
   // As the thickness grows, the covers of both shells meet before the shells do.
   const Field field = two_balls();
@@ -624,8 +621,7 @@ TEST_CASE("Certificate: components of the mesh that share a component of the cov
   CHECK(shared > 0);
 }
 
-TEST_CASE("Certificate: components of the mesh that share a component of the cover are not told apart where facets "
-          "fold over, paths or not")
+TEST_CASE("Certificate: paths do not separate mesh components that share a cover component if facets fold over")
 {
   const Field field = two_balls();
   const auto folded = [](Mesh mesh) {
@@ -654,7 +650,7 @@ TEST_CASE("Certificate: components of the mesh that share a component of the cov
   CHECK(shared > 0);
 }
 
-TEST_CASE("Certificate: a field that has changed since the last mesh was examined is another field")
+TEST_CASE("Certificate: if the field changes between two verifications, the new field is examined")
 {
   Field field = radial_field();
   Certificate certificate(field, Constant(0.85), Constant(1.2));

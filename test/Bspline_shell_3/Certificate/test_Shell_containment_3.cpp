@@ -29,7 +29,7 @@ const CGAL::Bspline_shell_3<>& shell()
 
 } // namespace
 
-TEST_CASE("Containment: of points it agrees with the field")
+TEST_CASE("Containment: a point is contained if and only if bounded_side() places it in the shell")
 {
   REQUIRE(shell());
   const Containment contains(shell());
@@ -47,7 +47,7 @@ TEST_CASE("Containment: of points it agrees with the field")
   CHECK_FALSE(contains(Point_3(0, 0, 0)));
 }
 
-TEST_CASE("Containment: of segments, triangles, meshes and soups it holds at every point")
+TEST_CASE("Containment: a segment, triangle, mesh or soup is contained only if all its points are")
 {
   const Containment contains(shell());
   const Mesh mesh = sphere(1);
@@ -101,8 +101,7 @@ TEST_CASE("Containment: of segments, triangles, meshes and soups it holds at eve
   CHECK(not_contained > 20);
 }
 
-TEST_CASE("Containment: a segment that is contained has all its points contained, also next to another component in "
-          "the same cells")
+TEST_CASE("Containment: all points of a contained segment are contained, even if its cells hold another component")
 {
   // The field is close to 4 (|x| - 0.8) (0.95 - |x|). The shell is at the inner sphere, but its leaves also contain
   // parts of the component at the outer one.
@@ -160,7 +159,7 @@ TEST_CASE("Containment: a segment that is contained has all its points contained
   CHECK(segments > 10);
 }
 
-TEST_CASE("Containment: levels belong to the shell, exactly, for points, what is on a level is not proved to be inside")
+TEST_CASE("Containment: points on a level are contained, but segments and triangles on a level are not proved to be")
 {
   namespace BS = CGAL::Bspline_shells;
   const auto without_cover = shell_of(uniform_field({ { 1, { 0, 0, 1 } } }), 0.25, 0.5);
@@ -192,7 +191,7 @@ TEST_CASE("Containment: levels belong to the shell, exactly, for points, what is
   }
 }
 
-TEST_CASE("Containment: no shell contains nothing")
+TEST_CASE("Containment: an empty shell contains nothing")
 {
   const CGAL::Bspline_shell_3<> none;
   const Containment contains(none);

@@ -211,8 +211,7 @@ bool is_in_shell_at_end(const Field& field, const CGAL::Bbox_3& b, const IsInShe
 
 } // namespace
 
-TEST_CASE("Covers: floods are those of a search through all pairs of boxes, on cells of different sizes with holes "
-          "between them")
+TEST_CASE("Cover: floods agree with a search through all pairs of boxes, on cells of different sizes with holes")
 {
   std::size_t boxes = 0, apart = 0, at_end = 0, excluded_at_end = 0, undecided = 0, joined = 0;
   for(unsigned seed = 1; seed < 11; ++seed) {
@@ -313,8 +312,7 @@ TEST_CASE("Covers: floods are those of a search through all pairs of boxes, on c
   CHECK(undecided > 1);
 }
 
-TEST_CASE(
-  "Covers: a box of which a part is in the shell at the end of the domain is at its end, between thresholds that vary")
+TEST_CASE("Cover: between varying thresholds, a box in the shell at the end of the domain is reported")
 {
   std::size_t beyond_inner = 0, beyond_outer = 0;
   for(unsigned seed = 1; seed < 13; ++seed) {
@@ -349,7 +347,7 @@ TEST_CASE(
   CHECK(beyond_outer > 20);
 }
 
-TEST_CASE("Covers: what is said of boxes holds at points of them, between levels and thresholds that vary")
+TEST_CASE("Cover: claims about boxes hold at points in them, between levels and varying thresholds")
 {
   std::array<std::size_t, 5> kinds = {};
   std::size_t met = 0, steep = 0, straddling = 0;
@@ -461,7 +459,7 @@ TEST_CASE("Covers: what is said of boxes holds at points of them, between levels
   CHECK(straddling > 500);
 }
 
-TEST_CASE("Covers: where a field hardly varies, boxes that are said to be monotone are, exactly")
+TEST_CASE("Cover: boxes classified as monotone are monotone exactly, even if the field is nearly constant")
 {
   std::size_t monotone = 0, flat = 0;
   for(unsigned seed = 1; seed < 9; ++seed) {
@@ -487,7 +485,7 @@ TEST_CASE("Covers: where a field hardly varies, boxes that are said to be monoto
   CHECK(monotone > 50);
 }
 
-TEST_CASE("Covers: a box at which the field does not rise is not monotone, even if rounded coefficients rise")
+TEST_CASE("Cover: a box where the field does not rise is not monotone, even if rounded coefficients rise")
 {
   // The coefficients are b + k ulp |x|. By symmetry, the derivative of the spline is zero at x = 0.
   CGAL::Random random(21);
@@ -539,8 +537,7 @@ const std::array<double, 3> middle = { 0.5, 0.5, 0.5 };
 
 } // namespace
 
-TEST_CASE("Covers: a box around a critical point beyond a threshold need not be subdivided, and bounds of the gradient "
-          "are close")
+TEST_CASE("Cover: a box with a critical point beyond a threshold is not subdivided, and gradient bounds are close")
 {
   for(double sign : { 1., -1. }) {
     CAPTURE(sign);
@@ -571,7 +568,7 @@ TEST_CASE("Covers: a box around a critical point beyond a threshold need not be 
   }
 }
 
-TEST_CASE("Covers: a critical point in the shell keeps its box undecided, by however little")
+TEST_CASE("Cover: a box with a critical point in the shell is undecided, however close the threshold is")
 {
   for(double sign : { 1., -1. })
     for(double beyond : { 1e-3, 1e-9, -1e-9, -1e-3 }) {
@@ -588,7 +585,7 @@ TEST_CASE("Covers: a critical point in the shell keeps its box undecided, by how
     }
 }
 
-TEST_CASE("Covers: where critical points are beyond a threshold, it must be less steep than the field")
+TEST_CASE("Cover: boxes with a critical point beyond a threshold are decided if and only if the field is steeper")
 {
   // The inner threshold is 0.02 + s (x - 1/2). Where the field equals it, the slope of the field is 2 |x - m|: at least
   // 0.28 for x > 1/2, and less for x < 1/2.
@@ -615,7 +612,7 @@ TEST_CASE("Covers: where critical points are beyond a threshold, it must be less
   }
 }
 
-TEST_CASE("Covers: a wall thinner than a cell, in any direction, takes few boxes")
+TEST_CASE("Cover: a wall thinner than a cell takes few boxes, in any direction")
 {
   // (n . (x - m))^2 - t^2; the thresholds are close to zero compared with the wall
   CGAL::Random random(37);
@@ -645,7 +642,7 @@ TEST_CASE("Covers: a wall thinner than a cell, in any direction, takes few boxes
   }
 }
 
-TEST_CASE("Covers: a box at which a threshold is steeper than the field is not monotone, however small both are")
+TEST_CASE("Cover: a box where a threshold is steeper than the field is not monotone, even if squares underflow")
 {
   // f = s x and eps2 = 0.93 s (x + y + z). The threshold's gradient is 1.6 times as long as the field's, but for the
   // small s, the squares of its components underflow.
@@ -672,7 +669,7 @@ TEST_CASE("Covers: a box at which a threshold is steeper than the field is not m
   }
 }
 
-TEST_CASE("Covers: nothing is said of a box on which a threshold is no number")
+TEST_CASE("Cover: a box where a threshold is not finite is undecided")
 {
   CGAL::Random random(23);
   const Field cells = random_cells(random, 4, 1, 1);
@@ -698,7 +695,7 @@ TEST_CASE("Covers: nothing is said of a box on which a threshold is no number")
     }
 }
 
-TEST_CASE("Covers: what is taken over of another cover are its components, in another order, or some of them")
+TEST_CASE("Cover: components of another cover are adopted, in any order, or only some of them")
 {
   // Level sets are nearly planes: there are three components, each of many cells.
   CGAL::Random random(25);
@@ -764,7 +761,7 @@ TEST_CASE("Covers: what is taken over of another cover are its components, in an
   }
 }
 
-TEST_CASE("Covers: what another cover found out is taken over where nothing has changed, and there only")
+TEST_CASE("Cover: results of another cover are reused where nothing has changed, and only there")
 {
   CGAL::Random random(27);
   const Field field = with(random_cells(random, 4, 1, 2), [](double x, double y, double z) { return z + 0.1 * x * y; });
@@ -802,7 +799,7 @@ TEST_CASE("Covers: what another cover found out is taken over where nothing has 
                      is_same));
 }
 
-TEST_CASE("Covers: bounds of the gradient are those of its least length, wherever in a box that is")
+TEST_CASE("Cover: gradient bounds are close to the least gradient, wherever in a box the gradient is shortest")
 {
   // d x + x^3/3 + x y^2 + x z^2, mirrored. The gradient is shortest at one corner of the domain, and much longer
   // nearby; for the smaller d, even within the box of the cover there.
@@ -841,7 +838,7 @@ TEST_CASE("Covers: bounds of the gradient are those of its least length, whereve
     }
 }
 
-TEST_CASE("Covers: bounds of a gradient beyond the largest double are numbers below it")
+TEST_CASE("Cover: the bound of a gradient beyond the largest double is finite")
 {
   // f = 1e300 x / w on cells of width w = 2^-100; the slope is 1.3e330
   const double width = std::ldexp(1., -100);
@@ -872,7 +869,7 @@ struct Exact_field : Field
 
 } // namespace
 
-TEST_CASE("Covers: bounds of the gradient are not above what it is by a rounding, of a field that is known exactly")
+TEST_CASE("Cover: for an exactly known field, gradient bounds do not exceed the gradient even by rounding")
 {
   CGAL::Random random(33);
   const Field cells = random_cells(random, 3, 1, 1);
@@ -891,7 +888,7 @@ TEST_CASE("Covers: bounds of the gradient are not above what it is by a rounding
   }
 }
 
-TEST_CASE("Covers: what is known of cells is taken over under their new numbers where others are split")
+TEST_CASE("Cover: results of cells are reused under their new indices if other cells are split")
 {
   CGAL::Random random(28);
   const Field field = with(random_cells(random, 4, 1, 2), [](double x, double y, double z) { return z + 0.1 * x * y; });
@@ -931,8 +928,7 @@ TEST_CASE("Covers: what is known of cells is taken over under their new numbers 
   }
 }
 
-TEST_CASE("Covers: of a field that is scaled by a power of two, boxes and what proves them are the same, and bounds of "
-          "the gradient are scaled")
+TEST_CASE("Cover: scaling the field by a power of two preserves boxes and proofs, and scales gradient bounds")
 {
   CGAL::Random random(41);
   const Field field = with(random_cells(random, 4, 1, 2), [&](double x, double y, double z) {

@@ -55,7 +55,7 @@ TEST_CASE("Facet oracle: without a shell, all facets are rejected")
   CHECK(oracle.winding_number(pole, link) == 0);
 }
 
-TEST_CASE("Facet oracle: a facet at a vertex that leaves the shell in the middle of the opposite edge is rejected")
+TEST_CASE("Facet oracle: a facet that leaves the shell at the middle of the link's edge is rejected")
 {
   const auto shell = ball_shell();
   const Oracle oracle(shell);
@@ -66,7 +66,7 @@ TEST_CASE("Facet oracle: a facet at a vertex that leaves the shell in the middle
   CHECK(oracle.winding_number(pole, band({ 0, 120, 240 })) == 1);
 }
 
-TEST_CASE("Facet oracle: what is remembered of a facet or a link is of no use for another one")
+TEST_CASE("Facet oracle: the cached result of a facet or a link is not used for another one")
 {
   const auto shell = ball_shell();
   const Oracle oracle(shell);
@@ -84,8 +84,7 @@ TEST_CASE("Facet oracle: what is remembered of a facet or a link is of no use fo
   CHECK(oracle(pole, other, memory) == Placement_verdict::LEAVES_SHELL);
 }
 
-TEST_CASE(
-  "Facet oracle: a facet at a vertex that is turned where none of its corners and middles of edges are is rejected")
+TEST_CASE("Facet oracle: a facet that faces away only between its corners and edge midpoints is rejected")
 {
   // The slope of horizontal facets is 2 x^2 - 1e-9. Bisections do not come close enough to zero to find the negative
   // slope.
@@ -102,7 +101,7 @@ TEST_CASE(
         == Placement_verdict::ACCEPTED);
 }
 
-TEST_CASE("Facet oracle: what is remembered of a rejected facet says nothing of others that have two corners of it")
+TEST_CASE("Facet oracle: a cached rejection does not affect facets that share two of its corners")
 {
   const auto shell = shell_of(uniform_field({ { -1e-9, { 0, 0, 1 } }, { 2, { 2, 0, 1 } } }), -5, 5);
   const Oracle oracle(shell);
@@ -119,7 +118,7 @@ TEST_CASE("Facet oracle: what is remembered of a rejected facet says nothing of 
   }
 }
 
-TEST_CASE("Facet oracle: what is remembered changes nothing of what is accepted")
+TEST_CASE("Facet oracle: the cache does not change which fans are accepted")
 {
   const auto shell = ball_shell();
   for(const auto proofs : { BS::Facet_proofs::ALL, BS::Facet_proofs::WHERE_DOUBTFUL }) {
@@ -154,7 +153,7 @@ TEST_CASE("Facet oracle: what is remembered changes nothing of what is accepted"
   }
 }
 
-TEST_CASE("Facet oracle: a facet at a vertex that leaves the shell by a hair, inside, is rejected")
+TEST_CASE("Facet oracle: a facet that barely leaves the shell in its interior is rejected")
 {
   // -(x^2 + y^2) in the plane z = 0.1
   const Uniform_field field = uniform_field(
@@ -171,7 +170,7 @@ TEST_CASE("Facet oracle: a facet at a vertex that leaves the shell by a hair, in
   }
 }
 
-TEST_CASE("Facet oracle: a single facet that just leaves the shell, or lies along the gradient, is rejected")
+TEST_CASE("Facet oracle: a single facet that barely leaves the shell, or is parallel to the gradient, is rejected")
 {
   const Uniform_field field = uniform_field({ { 1, { 0, 0, 1 } } });
   const Point_3 p(0.1, 0.1, 0.25), q(0.3, 0.1, 0.25), r(0.1, 0.3, 0.25), up(0.1, 0.1, 0.35);
@@ -184,7 +183,7 @@ TEST_CASE("Facet oracle: a single facet that just leaves the shell, or lies alon
   CHECK(Oracle(wide)(q, p, up) == Placement_verdict::FACES_AWAY);
 }
 
-TEST_CASE("Facet oracle: a steep fan winds as often as its link, wherever it is")
+TEST_CASE("Facet oracle: a steep fan has the winding number of its link, at any position")
 {
   const auto shell = ball_shell();
   const Oracle oracle(shell);
@@ -208,8 +207,7 @@ TEST_CASE("Facet oracle: a steep fan winds as often as its link, wherever it is"
   }
 }
 
-TEST_CASE(
-  "Facet oracle: a fan that winds twice is rejected, also where squares of the gradient vanish or are no number")
+TEST_CASE("Facet oracle: a fan that winds twice is rejected, even if squares of the gradient underflow or overflow")
 {
   for(double scale : { 1., 1e-170, 1e160 }) {
     CAPTURE(scale);
@@ -231,7 +229,41 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Facet oracle: what is between the thresholds but in cells that are not the shell's is rejected")
+TEST_CASE("Facet oracle: a fan that winds twice is rejected where rounding hides it from the winding number")
+{
+  // Far from the origin, the axis is rounded. A steep fan winds around the exact gradient twice, and all of its facets
+  // face the gradient; but one of them does not face the rounded axis.
+  Frame far;
+  far.center = Eigen::Vector3d::Constant(std::ldexp(1., 30));
+  const double ulp = std::ldexp(1., -22);
+  const Eigen::Vector3d gradient(0.3125, 0.1875, 1), u = gradient.unitOrthogonal(), v = gradient.cross(u).normalized();
+  const auto shell = shell_of(
+    uniform_field({ { gradient[0], { 1, 0, 0 } }, { gradient[1], { 0, 1, 0 } }, { gradient[2], { 0, 0, 1 } } }, far),
+    -5, 5, far);
+  const Oracle oracle(shell);
+  const auto at = [&](const Eigen::Vector3d& x) {
+    const Eigen::Vector3d y = far.to_user(x);
+    return Point_3(y[0], y[1], y[2]);
+  };
+  const Eigen::Vector3d apex(0, 0, 0.5);
+  const Point_3 p = at(apex), on_axis = at(apex + gradient);
+  CGAL::Random random(1);
+  int hidden = 0;
+  for(int attempt = 0; attempt < 20000; ++attempt) {
+    std::vector<Point_3> link;
+    for(int k : { 0, 2, 4, 1, 3 }) {
+      const double angle = 2 * pi * k / 5 + random.get_double(-0.5, 0.5), radius = ulp * random.get_double(1, 4);
+      link.push_back(at(apex - gradient + radius * (std::cos(angle) * u + std::sin(angle) * v)));
+    }
+    if(BS::link_winding_number(p, on_axis, link) != 2 || oracle.winding_number(p, link) != 0) continue;
+    ++hidden;
+    Oracle::Memory memory;
+    CHECK(oracle(p, link, memory) != Placement_verdict::ACCEPTED);
+  }
+  CHECK(hidden > 0);
+}
+
+TEST_CASE("Facet oracle: facets between the thresholds, but outside the cells of the shell, are rejected")
 {
   // The shell consists of the cells of a layer with positive x.
   const Uniform_field field = uniform_field({ { 1, { 0, 0, 1 } } });
@@ -253,7 +285,7 @@ TEST_CASE("Facet oracle: what is between the thresholds but in cells that are no
   }
 }
 
-TEST_CASE("Facet oracle: a facet that an estimate clears though it turns is rejected where all is proved")
+TEST_CASE("Facet oracle: a facet that is wrongly cleared by an estimate is rejected if all facets are proved")
 {
   // The slope of horizontal facets is 0.01 + 2x (2x - 1/2) (2x - 1). It is the same at all corners and middles of
   // edges, and negative between some of them.
@@ -266,7 +298,7 @@ TEST_CASE("Facet oracle: a facet that an estimate clears though it turns is reje
   CHECK(Oracle(shell, BS::Facet_proofs::ALL)(p, q, r) == Placement_verdict::FACES_AWAY);
 }
 
-TEST_CASE("Facet oracle: the same answers for a field that is scaled by a power of two")
+TEST_CASE("Facet oracle: scaling the field by a power of two does not change the answers")
 {
   for(int exponent : { -900, -535, 0, 524, 900 }) {
     CAPTURE(exponent);

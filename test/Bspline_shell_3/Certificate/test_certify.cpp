@@ -92,7 +92,7 @@ bool are_same_paths(const std::vector<BS::Crossing_path>& a, const std::vector<B
 
 } // namespace
 
-TEST_CASE("certify: a shell that was read from a file gets the certificate, the cover and the paths that it had")
+TEST_CASE("certify: a shell read from a file gets its previous certificate, cover and paths")
 {
   for(Format format : { Format::BINARY, Format::ASCII }) {
     Varying_shell shell = read_shell(written(two_shells(), format));
@@ -101,7 +101,7 @@ TEST_CASE("certify: a shell that was read from a file gets the certificate, the 
     const auto certificate = BS::certify(shell, two_spheres());
     CHECK(certificate);
     REQUIRE(shell.is_certified());
-    CHECK(shell.message() == "There is a certified shell.");
+    CHECK(shell.message() == "The shell is certified.");
     const BS::Certificate_report &before = two_shells().report().certificate, &after = shell.report().certificate;
     CHECK(after.components == before.components);
     CHECK(after.least_gradient == before.least_gradient);
@@ -129,7 +129,7 @@ TEST_CASE("certify: another mesh in the same components certifies the shell as w
   CHECK(Map(shell, two_spheres(), moved).status() == Flow_status::SUCCESS);
 }
 
-TEST_CASE("certify: a mesh that lacks a component of the shell is not certified, neither before nor after")
+TEST_CASE("certify: a mesh that misses a component is not certified, before or after the shell is")
 {
   for(bool is_certified : { false, true }) {
     Varying_shell shell = read_two_shells();
@@ -146,7 +146,7 @@ TEST_CASE("certify: a mesh that lacks a component of the shell is not certified,
   }
 }
 
-TEST_CASE("certify: meshes in different components are not mapped with success, whatever is known of the shell")
+TEST_CASE("certify: a map between meshes in different components never has the status SUCCESS")
 {
   const Mesh near = near_sphere(), other_near = near_sphere(1.01), far = far_sphere();
   Varying_shell shell = read_two_shells();
@@ -173,7 +173,7 @@ TEST_CASE("certify: meshes in different components are not mapped with success, 
   CHECK(Map(shell, near, far)(Mesh::Vertex_index(0)).status == Flow_status::COMPONENTS_DIFFER);
 }
 
-TEST_CASE("certify: paths of a file that do not lead through the shell are no reason for anything")
+TEST_CASE("certify: paths of a file that do not lead through the shell are ignored")
 {
   const auto check = [&](const std::function<void(Lines & paths)>& change) {
     Varying_shell shell = with_paths(change);
@@ -220,7 +220,7 @@ TEST_CASE("certify: paths of a file that do not lead through the shell are no re
   check([&](Lines& paths) { replace(paths, [&](auto) { return text({ 1e300, 0, 0, -1e300, 0, 0 }); }); });
 }
 
-TEST_CASE("certify: a file that gives two components one number, or leaves one out, certifies no map between them")
+TEST_CASE("certify: a file with duplicate or missing component numbers certifies no map between components")
 {
   const auto check = [](Varying_shell shell) {
     // Either component can be certified, but then the other one is not part of the shell.
@@ -242,7 +242,7 @@ TEST_CASE("certify: a file that gives two components one number, or leaves one o
   }));
 }
 
-TEST_CASE("certify: a shell of equal cells, and the certificate of a mesh that cannot be examined")
+TEST_CASE("certify: a uniform shell is certified by its own mesh, but not by an open or inverted mesh")
 {
   const Mesh mesh = near_sphere();
   Shell shell = CGAL::bspline_shell_3(mesh, BS::parameters::resolution(12.));
@@ -257,7 +257,7 @@ TEST_CASE("certify: a shell of equal cells, and the certificate of a mesh that c
   CHECK(BS::certify(shell, turned).verdict(BS::Claim::TRANSVERSALITY) == Verdict::REFUTED);
   CHECK_FALSE(shell.is_certified());
   REQUIRE(BS::certify(shell, mesh));
-  CHECK(shell.message() == "There is a certified shell.");
+  CHECK(shell.message() == "The shell is certified.");
   CHECK(shell.is_certified());
   CHECK_FALSE(BS::certify(shell, turned));
   CHECK(shell.is_certified());
@@ -267,7 +267,7 @@ TEST_CASE("certify: a shell of equal cells, and the certificate of a mesh that c
   CHECK_FALSE(none.is_certified());
 }
 
-TEST_CASE("certify: a mesh that does not certify the shell leaves it as it is, so that others still can")
+TEST_CASE("certify: a failed certification leaves the shell unchanged, so another mesh can still certify it")
 {
   Varying_shell shell = read_two_shells();
   const std::vector<char> cells = shell.shell_cells();
@@ -278,7 +278,7 @@ TEST_CASE("certify: a mesh that does not certify the shell leaves it as it is, s
   CHECK(BS::certify(shell, two_spheres()));
 }
 
-TEST_CASE("certify: the certificate that is returned knows the components of the shell")
+TEST_CASE("certify: the returned certificate rejects meshes in other components of the shell")
 {
   Varying_shell shell = with_paths([](Lines& paths) { paths.clear(); });
   auto certificate = BS::certify(shell, near_sphere());
@@ -289,7 +289,7 @@ TEST_CASE("certify: the certificate that is returned knows the components of the
   CHECK(shell.is_certified());
 }
 
-TEST_CASE("certify: paths of a shell that is not certified do not count, though its report has them")
+TEST_CASE("certify: paths in the report of an uncertified shell are ignored")
 {
   BS::Shell_report report = two_shells().report();
   report.certificate.verdicts[std::size_t(BS::Claim::ONE_SHEET)] = Verdict::UNDECIDED;
@@ -300,7 +300,7 @@ TEST_CASE("certify: paths of a shell that is not certified do not count, though 
   CHECK(written(shell, Format::ASCII).find("\npaths 0\n") != std::string::npos);
 }
 
-TEST_CASE("certify: certificates between other thresholds, or of other fields, are not compared")
+TEST_CASE("certify: matching certificates of different thresholds or fields is undecided")
 {
   const Mesh mesh = near_sphere();
   const Shell shell = CGAL::bspline_shell_3(mesh, BS::parameters::resolution(12.)),

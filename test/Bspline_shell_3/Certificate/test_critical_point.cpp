@@ -37,7 +37,7 @@ BS::Enclosed_tricubic sum(const Cubic& p, const Cubic& q, const Cubic& r)
 
 } // namespace
 
-TEST_CASE("critical points: that of a quadratic function is proved and lies in its box")
+TEST_CASE("Critical points: the critical point of a quadratic function is proved, and lies in the returned box")
 {
   std::size_t wrong = 0;
   for(double x : { 0.1, 0.3, 0.5, 0.8 })
@@ -51,8 +51,7 @@ TEST_CASE("critical points: that of a quadratic function is proved and lies in i
   CHECK(wrong == 0);
 }
 
-TEST_CASE(
-  "critical points: none is proved where second derivatives vanish within the box and the gradient only nearly does")
+TEST_CASE("Critical points: none is proved if the gradient is only close to zero and second derivatives vanish")
 {
   // The derivative with respect to x is (x - a)^2 + e > 0.
   std::size_t proved = 0;
@@ -65,7 +64,7 @@ TEST_CASE(
   CHECK(proved == 0);
 }
 
-TEST_CASE("critical points: near a side, the box stays in the cell, beyond it, none is proved")
+TEST_CASE("Critical points: near a side the returned box stays in the cell, and beyond the side none is proved")
 {
   for(double x : { 0.02, 0.98 }) {
     const auto p = BS::prove_critical_point(sum(square(x), square(0.5), square(0.5)));
@@ -76,7 +75,7 @@ TEST_CASE("critical points: near a side, the box stays in the cell, beyond it, n
   for(double x : { -0.02, 1.02 }) CHECK_FALSE(BS::prove_critical_point(sum(square(x), square(0.5), square(0.5))));
 }
 
-TEST_CASE("critical points: none is proved where Newton's method is still on its way")
+TEST_CASE("Critical points: none is proved while Newton's method has not converged")
 {
   // The derivative c + m t + (1 - m) t^2 / 2 is positive. Its zero is beyond the side, and the steps towards it are
   // short.
@@ -87,7 +86,7 @@ TEST_CASE("critical points: none is proved where Newton's method is still on its
   CHECK_FALSE(BS::prove_critical_point(sum(square(0.5), square(0.5), slow)));
 }
 
-TEST_CASE("critical points: none is proved where a function within the radius may have its own beyond the box")
+TEST_CASE("Critical points: none is proved if a function within the radius may have its critical point beyond the box")
 {
   // Slopes of functions within the radius differ by up to six times the radius, 0.03. So do the zeros, which are only
   // 0.02 from the side.
@@ -96,7 +95,7 @@ TEST_CASE("critical points: none is proved where a function within the radius ma
   CHECK_FALSE(BS::prove_critical_point(f));
 }
 
-TEST_CASE("critical points: none is proved where every function within the radius may have its own")
+TEST_CASE("Critical points: none is proved if the error radius is too large")
 {
   BS::Enclosed_tricubic f = sum(square(0.5), square(0.5), square(0.5));
   REQUIRE(BS::prove_critical_point(f));

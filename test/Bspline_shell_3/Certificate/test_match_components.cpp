@@ -108,7 +108,7 @@ std::size_t number_of_images(const Map& map)
 
 } // namespace
 
-TEST_CASE("Components: meshes with a certificate of a certified shell have those of the mesh that it was built for")
+TEST_CASE("Components: certified meshes are assigned to the components of the mesh that the shell was built for")
 {
   const Mesh mesh = both(small_sphere(), large_sphere());
   const Shell shell = shell_of(mesh);
@@ -138,7 +138,7 @@ TEST_CASE("Components: meshes with a certificate of a certified shell have those
   CHECK(has(certificate, Place::SHELL_CROSSINGS, Verdict::REFUTED));
 }
 
-TEST_CASE("Components: a mesh in a component of the level set that the shell does not have is not in the shell")
+TEST_CASE("Components: a mesh in a level-set component that does not belong to the shell is rejected")
 {
   const Shell shell = shell_of(small_sphere());
   Certificate certificate(shell);
@@ -152,8 +152,7 @@ TEST_CASE("Components: a mesh in a component of the level set that the shell doe
   }
 }
 
-TEST_CASE(
-  "Components: two certificates between the same thresholds say whether their meshes are mapped onto each other")
+TEST_CASE("Components: two certificates with equal thresholds decide whether their meshes are mapped onto each other")
 {
   const auto certify = [](const Mesh& mesh) {
     Certificate certificate(two_spheres(), BS::Constant_threshold(-0.09), BS::Constant_threshold(0.09));
@@ -174,7 +173,7 @@ TEST_CASE(
   CHECK(none.matches(small) == Verdict::UNDECIDED);
 }
 
-TEST_CASE("Components: the map between meshes in other components is refused")
+TEST_CASE("Components: the map between meshes in different components is rejected")
 {
   const Mesh mesh = both(small_sphere(), large_sphere()), moved = both(small_sphere(1.02), large_sphere(0.99)),
              one = small_sphere();
@@ -200,7 +199,7 @@ TEST_CASE("Components: the map between meshes in other components is refused")
   CHECK(BS::Shell_map_3(shell, mesh, debris).status() == BS::Flow_status::SUCCESS);
 }
 
-TEST_CASE("Components: without a certificate of the shell, paths through both meshes tell what is known")
+TEST_CASE("Components: for an uncertified shell, paths through both meshes confirm a map or leave it unknown")
 {
   const Shell certified = shell_of(both(small_sphere(), large_sphere()));
   BS::Shell_report report;
@@ -236,7 +235,7 @@ TEST_CASE("Components: without a certificate of the shell, paths through both me
   CHECK(status(certified, half, mesh) == BS::Flow_status::COMPONENTS_UNKNOWN);
 }
 
-TEST_CASE("Components: a component all paths through which are degenerate is found by the vertices in it")
+TEST_CASE("Components: a component whose paths are all degenerate is identified by its vertices")
 {
   Mesh mesh = both(small_sphere(), large_sphere());
   const Shell shell = shell_of(mesh);
@@ -258,7 +257,7 @@ TEST_CASE("Components: a component all paths through which are degenerate is fou
   CHECK(BS::Shell_map_3(degenerate, mesh, one).status() != BS::Flow_status::SUCCESS);
 }
 
-TEST_CASE("Components: containment tells which component of the shell a mesh lies in")
+TEST_CASE("Components: containment determines the component of the shell in which a mesh lies")
 {
   const Mesh mesh = both(small_sphere(), large_sphere());
   const Shell shell = shell_of(mesh), small_shell = shell_of(small_sphere());
@@ -274,7 +273,7 @@ TEST_CASE("Components: containment tells which component of the shell a mesh lie
   CHECK_FALSE(contains_small(mesh));
 }
 
-TEST_CASE("Components: a path that meets an edge or a vertex of a mesh says nothing, others do")
+TEST_CASE("Components: a path through an edge or a vertex of a mesh is inconclusive, and other paths decide")
 {
   // A square pyramid over the plane z = 0. The first path meets the diagonal of its base.
   const std::vector<std::array<double, 3> > points = {
@@ -314,7 +313,7 @@ TEST_CASE("Components: a path that meets an edge or a vertex of a mesh says noth
   CHECK(match({ on_edge, second }).verdict() == Verdict::UNDECIDED);
 }
 
-TEST_CASE("Components: a mesh that a path crosses twice, or from the front to the back, does not match")
+TEST_CASE("Components: a mesh that a path crosses twice, or from front to back, does not match")
 {
   // Each triangle is a component; all cross the z-axis.
   const auto match = [](const std::vector<double>& heights, const BS::Crossing_path& path) {
@@ -337,7 +336,7 @@ TEST_CASE("Components: a mesh that a path crosses twice, or from the front to th
   CHECK(match({ 0, 2 }, up).verdict() == Verdict::REFUTED);
 }
 
-TEST_CASE("Components: nothing is transferred through a map that is refused")
+TEST_CASE("Components: nothing is transferred through a rejected map")
 {
   const Mesh mesh = both(small_sphere(), large_sphere());
   Mesh one = small_sphere();

@@ -79,7 +79,7 @@ Mesh closed(const Mesh& mesh, double offset, BS::Closing_report& report)
 
 } // namespace
 
-TEST_CASE("Closing: a half sphere gets a flat cap")
+TEST_CASE("Closing: an open half sphere gets a flat cap")
 {
   Mesh mesh = sphere(3);
   remove_faces(mesh, [](const Point_3& p) { return p.z() < 0.1; });
@@ -94,7 +94,7 @@ TEST_CASE("Closing: a half sphere gets a flat cap")
   CHECK(whole.number_of_vertices() == mesh.number_of_vertices());
 }
 
-TEST_CASE("Closing: a planar sheet becomes a slab with facets_to_steepen sides")
+TEST_CASE("Closing: a planar sheet becomes a slab with cells_with_small_slopes sides")
 {
   constexpr double offset = 0.05;
   const Mesh mesh = sheet(steps(0, 1, 4), steps(0, 2, 8), [](double, double) { return 0.; });
@@ -112,7 +112,7 @@ TEST_CASE("Closing: a planar sheet becomes a slab with facets_to_steepen sides")
     if(std::size_t(v) >= mesh.number_of_vertices()) CHECK(whole.point(v).z() == Approx(-offset));
 }
 
-TEST_CASE("Closing: an annulus in a plane, with a slit and a flat tip")
+TEST_CASE("Closing: a planar annulus with a slit and a flat sharp triangle get a back sheet")
 {
   BS::Closing_report report;
   const Mesh annulus = surface(24, 3, [](double u, double v) {
@@ -130,7 +130,7 @@ TEST_CASE("Closing: an annulus in a plane, with a slit and a flat tip")
   CHECK(report.sheets == 1);
 }
 
-TEST_CASE("Closing: a sphere with a hundred holes gets as many caps")
+TEST_CASE("Closing: a sphere with a hundred holes gets a hundred caps")
 {
   Mesh mesh = sphere(4);
   std::vector<char> is_taken(mesh.number_of_vertices(), 0);
@@ -162,7 +162,7 @@ TEST_CASE("Closing: a sphere with a hundred holes gets as many caps")
   CHECK(report.sheets == 0);
 }
 
-TEST_CASE("Closing: where a cap would intersect, there is a back sheet, nearer where there is less room")
+TEST_CASE("Closing: if a cap would intersect the mesh, a back sheet replaces it, at a smaller offset in narrow places")
 {
   // The sheet is rolled up to a spiral of two turns, 0.1 apart.
   const Mesh mesh = surface(96, 4, [](double u, double v) {
@@ -177,7 +177,7 @@ TEST_CASE("Closing: where a cap would intersect, there is a back sheet, nearer w
   CHECK(report.largest_offset > report.least_offset);
 }
 
-TEST_CASE("Closing: two sheets back to back, nearer than the offset")
+TEST_CASE("Closing: two sheets back to back, closer than the offset, get back sheets between them")
 {
   Mesh mesh = sheet(steps(0, 1, 4), steps(0, 1, 4), [](double, double) { return 0.02; });
   Mesh other = sheet(steps(0, 1, 4), steps(0, 1, 4), [](double, double) { return 0.; });
@@ -189,7 +189,7 @@ TEST_CASE("Closing: two sheets back to back, nearer than the offset")
   CHECK(report.largest_offset < 0.01);
 }
 
-TEST_CASE("Closing: components that are closed stay as they are")
+TEST_CASE("Closing: closed components are left unchanged")
 {
   Mesh mesh = sphere(2, 1, Point_3(5, 0, 0));
   mesh.join(sheet(steps(0, 1, 2), steps(0, 1, 2), [](double, double) { return 0.; }));
@@ -200,7 +200,7 @@ TEST_CASE("Closing: components that are closed stay as they are")
   CHECK(whole.number_of_faces() == mesh.number_of_faces() + report.triangles);
 }
 
-TEST_CASE("Closing: a dish gets no cap that leaves a thin wall")
+TEST_CASE("Closing: a shallow dish gets no cap that would leave a thin wall")
 {
   Mesh dish = sphere(5); // 0.28 wide and 0.01 deep
   remove_faces(dish, [](const Point_3& p) { return p.z() < 0.99; });
@@ -211,7 +211,7 @@ TEST_CASE("Closing: a dish gets no cap that leaves a thin wall")
   CHECK(report.caps() == 1);
 }
 
-TEST_CASE("Closing: a mesh that intersects itself is refused, with its facets")
+TEST_CASE("Closing: a self-intersecting mesh is rejected, and its facets are reported")
 {
   Mesh mesh = sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; });
   Mesh other = mesh;
@@ -245,7 +245,7 @@ TEST_CASE("Closing: a spiral ramp cannot be closed at its axis")
   CHECK_FALSE(found.closing);
 }
 
-TEST_CASE("Closing: the number of threads does not matter")
+TEST_CASE("Closing: the result does not depend on the number of threads")
 {
   Mesh mesh = sphere(3);
   remove_faces(mesh, [](const Point_3& p) { return std::abs(p.z()) < 0.3 || p.x() > 0.9; });

@@ -134,7 +134,7 @@ void check_round_trips(const Shell& shell, const Mesh& from, const Mesh& to)
 
 } // namespace
 
-TEST_CASE("Open meshes: the shell is certified with what closes them")
+TEST_CASE("Open meshes: the shell is certified together with the closing")
 {
   REQUIRE(hill_shell().is_certified());
   CHECK(hill_shell().report().closing.sheets == 1);
@@ -153,7 +153,7 @@ TEST_CASE("Open meshes: the shell is certified with what closes them")
   CHECK_FALSE(refused.report().offending_simplices.facets.empty());
 }
 
-TEST_CASE("Open meshes: polygons, too")
+TEST_CASE("Open meshes: an open mesh of polygons is closed and certified")
 {
   Mesh mesh; // a box of quadrangles without its top
   const Mesh whole = box(Point_3(0, 0, 0), Point_3(1, 1, 1), false);
@@ -172,7 +172,7 @@ TEST_CASE("Open meshes: polygons, too")
   CHECK(certificate.verify(mesh));
 }
 
-TEST_CASE("Open meshes: a certificate asks for the border, bit for bit")
+TEST_CASE("Open meshes: a certificate requires the exact border of the mesh, bit for bit")
 {
   Certificate certificate(hill_shell());
   CHECK(certificate.verify(hill()));
@@ -203,7 +203,7 @@ TEST_CASE("Open meshes: a certificate asks for the border, bit for bit")
   CHECK(certificate.verify(closed));
 }
 
-TEST_CASE("Open meshes: simplified, their borders stay, and each point goes there and back")
+TEST_CASE("Open meshes: simplification keeps the border, and every point maps to the result and back")
 {
   for(const auto& [mesh, shell] :
       { std::make_pair(hill(), &hill_shell()), std::make_pair(lantern(), &lantern_shell()) }) {
@@ -225,7 +225,7 @@ TEST_CASE("Open meshes: simplified, their borders stay, and each point goes ther
   }
 }
 
-TEST_CASE("Open meshes: a number of facets that is asked for is that of the open mesh")
+TEST_CASE("Open meshes: the requested number of facets does not include the closing")
 {
   const std::size_t asked = hill().number_of_faces() / 2;
   Mesh coarse = hill();
@@ -236,7 +236,7 @@ TEST_CASE("Open meshes: a number of facets that is asked for is that of the open
   CHECK(result.facets + 2 >= asked);
 }
 
-TEST_CASE("Open meshes: constraints, and frozen facets")
+TEST_CASE("Open meshes: simplification keeps constrained edges, and freezes facets outside the shell")
 {
   Mesh coarse = hill();
   auto is_constrained = coarse.add_property_map<Mesh::Edge_index, bool>("e:is_constrained", false).first;
@@ -273,7 +273,7 @@ TEST_CASE("Open meshes: constraints, and frozen facets")
   CHECK(border(damaged) == border(before));
 }
 
-TEST_CASE("Open meshes: an exception leaves a mesh as it was")
+TEST_CASE("Open meshes: after an exception, the mesh has its facets and border back")
 {
   Mesh mesh = hill();
   REQUIRE(mesh.number_of_edges() > 700);
@@ -285,7 +285,7 @@ TEST_CASE("Open meshes: an exception leaves a mesh as it was")
   CHECK(border(mesh) == border(hill()));
 }
 
-TEST_CASE("Open meshes: components near each other, one above the other and closed ones among them")
+TEST_CASE("Open meshes: stacked sheets and a closed component near them share a shell and are mapped")
 {
   Mesh mesh = sheet(steps(4), steps(4), [](double, double) { return 0.12; });
   mesh.join(sheet(steps(4), steps(4), [](double, double) { return 0.; }));
@@ -310,7 +310,7 @@ TEST_CASE("Open meshes: components near each other, one above the other and clos
   CHECK(sheets.number_of_faces() == 64);
 }
 
-TEST_CASE("Open meshes: remeshed, their borders stay, and each point goes there and back")
+TEST_CASE("Open meshes: remeshing keeps the border, and every point maps to the result and back")
 {
   Mesh mesh = lantern();
   const auto result = BS::remesh_in_shell(mesh, 0.2, lantern_shell());
@@ -323,7 +323,7 @@ TEST_CASE("Open meshes: remeshed, their borders stay, and each point goes there 
   check_round_trips(lantern_shell(), lantern(), mesh);
 }
 
-TEST_CASE("Open meshes: other types of meshes are edited, too, and other borders are refused")
+TEST_CASE("Open meshes: a Polyhedron_3 can be edited, and a mesh with another border is rejected")
 {
   CGAL::Polyhedron_3<Kernel> mesh;
   CGAL::copy_face_graph(hill(), mesh);
@@ -341,7 +341,7 @@ TEST_CASE("Open meshes: other types of meshes are edited, too, and other borders
   CHECK(is_equal(other, lantern()));
 }
 
-TEST_CASE("Open meshes: attributes, with those of the border as they were")
+TEST_CASE("Open meshes: attributes are transferred, exactly at border vertices")
 {
   Mesh source = hill(), target = hill();
   REQUIRE(BS::simplify_in_shell(target, hill_shell()));
@@ -359,8 +359,7 @@ TEST_CASE("Open meshes: attributes, with those of the border as they were")
   }
 }
 
-TEST_CASE(
-  "Open meshes: images of points that are beyond the border by less than the tolerance are moved to it, and marked")
+TEST_CASE("Open meshes: images beyond the border by less than the tolerance are snapped to it, and flagged")
 {
   const Map map(hill_shell(), hill(), hill());
   std::size_t snapped = 0;
@@ -386,7 +385,7 @@ TEST_CASE(
   CHECK(snapped == 16);
 }
 
-TEST_CASE("Open meshes: shells in files keep what closes them")
+TEST_CASE("Open meshes: shell files keep the closing")
 {
   for(BS::Shell_format format : { BS::Shell_format::BINARY, BS::Shell_format::ASCII }) {
     std::stringstream file;
@@ -414,7 +413,7 @@ TEST_CASE("Open meshes: shells in files keep what closes them")
   }
 }
 
-TEST_CASE("Open meshes: closed by the caller's own triangles")
+TEST_CASE("Open meshes: a closing given by the user is used if it fits, and rejected otherwise")
 {
   // The closing is a tent under the square.
   const Mesh mesh = sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; });
@@ -432,7 +431,7 @@ TEST_CASE("Open meshes: closed by the caller's own triangles")
   CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::closing(other)).status() == BS::Shell_status::OPEN_MESH);
 }
 
-TEST_CASE("Open meshes: one and several threads build the same shell")
+TEST_CASE("Open meshes: one thread and several threads build the same shell")
 {
   const Shell one = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(lantern()),
               several = CGAL::certified_bspline_shell_3<CGAL::Parallel_if_available_tag>(lantern());

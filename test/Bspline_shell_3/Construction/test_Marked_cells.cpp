@@ -26,7 +26,7 @@ Hierarchy some_hierarchy(unsigned seed)
 
 } // namespace
 
-TEST_CASE("Marked cells: around a cell are those within half of its width, of any size")
+TEST_CASE("Marked cells: visit_around() visits all cells within half a width of the given cell")
 {
   for(unsigned seed = 1; seed < 4; ++seed) {
     const Hierarchy cells = some_hierarchy(seed);
@@ -47,8 +47,8 @@ TEST_CASE("Marked cells: around a cell are those within half of its width, of an
   }
 }
 
-TEST_CASE("Marked cells: with its neighbors are those of the same size, across faces, edges or vertices, each is "
-          "marked once, in their order")
+TEST_CASE(
+  "Marked cells: mark_widely() marks neighbors of equal size across faces, edges or vertices, once and in order")
 {
   for(unsigned seed = 1; seed < 4; ++seed) {
     const Hierarchy cells = some_hierarchy(seed);
@@ -75,7 +75,7 @@ TEST_CASE("Marked cells: with its neighbors are those of the same size, across f
   }
 }
 
-TEST_CASE("Marked cells: those that are as small as may be are left out")
+TEST_CASE("Marked cells: cells of the last level are never marked")
 {
   Hierarchy cells = some_hierarchy(1);
   while(cells.number_of_levels() <= cells.max_level())

@@ -105,7 +105,7 @@ bool are_equal(const std::vector<Range>& a, const std::vector<Range>& b)
 
 } // namespace
 
-TEST_CASE("Ranges on the mesh: they enclose what the field takes on, and tell where it is too large")
+TEST_CASE("Mesh ranges: ranges enclose the field on the mesh, and identify cells where the field is too large")
 {
   Problem problem = ball();
   for(int seed = 0; seed < 4; ++seed) {
@@ -159,7 +159,7 @@ TEST_CASE("Ranges on the mesh: they enclose what the field takes on, and tell wh
   }
 }
 
-TEST_CASE("Ranges on the mesh: a peak between the corners decides")
+TEST_CASE("Mesh ranges: a peak between corners is detected")
 {
   // 1 - ((x - 0.3)^2 + (y - 0.2)^2) / 4 on the top of a box; no piece has a corner at the peak
   Problem problem(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), BS::Lattice_3(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5));
@@ -182,7 +182,7 @@ TEST_CASE("Ranges on the mesh: a peak between the corners decides")
   }
 }
 
-TEST_CASE("Ranges on the mesh: what did not change is kept, and nothing else")
+TEST_CASE("Mesh ranges: ranges of unchanged cells are kept, and all others are updated")
 {
   Problem problem = ball();
   problem.set_noisy_distance(0.1, 1);
@@ -241,7 +241,7 @@ TEST_CASE("Ranges on the mesh: what did not change is kept, and nothing else")
   CHECK(wrong == 0);
 }
 
-TEST_CASE("Ranges on the mesh: those of facets enclose the field, any number of threads gives the same")
+TEST_CASE("Mesh ranges: facet ranges enclose the field, and results do not depend on the number of threads")
 {
   Problem problem = ball();
   problem.set_noisy_distance(0.1, 3);

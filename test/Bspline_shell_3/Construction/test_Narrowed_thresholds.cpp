@@ -111,7 +111,7 @@ bool are_equal(const std::vector<Obstacle>& a, const std::vector<Obstacle>& b)
 
 } // namespace
 
-TEST_CASE("Narrowed thresholds: what was asked for, where the shell has no critical point")
+TEST_CASE("Narrowed thresholds: thresholds have the requested width if the shell has no critical point")
 {
   const Ball ball;
   Thresholds thresholds(seed());
@@ -129,8 +129,7 @@ TEST_CASE("Narrowed thresholds: what was asked for, where the shell has no criti
   CHECK_FALSE(thresholds.are_chosen());
 }
 
-TEST_CASE("Narrowed thresholds: a critical point, and the end of the domain, are left outside of the shell by the "
-          "threshold next to them alone")
+TEST_CASE("Narrowed thresholds: a critical point or the end of the domain narrows only the threshold next to it")
 {
   const Ball ball;
   Thresholds thresholds(seed());
@@ -167,7 +166,7 @@ TEST_CASE("Narrowed thresholds: a critical point, and the end of the domain, are
   CHECK(once.inner().value(Point_3(0, 0, 0)) == Approx(-half));
 }
 
-TEST_CASE("Narrowed thresholds: the end of the domain counts as undecided as long as the shell reaches it")
+TEST_CASE("Narrowed thresholds: the end of the domain counts as undecided while the shell reaches it")
 {
   const Ball large(1.9);
   constexpr double width = 1.6;
@@ -184,7 +183,7 @@ TEST_CASE("Narrowed thresholds: the end of the domain counts as undecided as lon
   CHECK(thresholds.undecided_volume() == 0);
 }
 
-TEST_CASE("Narrowed thresholds: where the mesh is near a critical point, that is an obstacle, in its cell")
+TEST_CASE("Narrowed thresholds: a mesh close to a critical point makes its cell an obstacle")
 {
   // the field is zero everywhere
   const Ball flat(1, 0);
@@ -279,8 +278,8 @@ struct Hollow_ball
   }
 };
 
-TEST_CASE("Narrowed thresholds: nearly all of a wall that is thinner than a cell is left out, with room that is told "
-          "from the field in its middle")
+TEST_CASE(
+  "Narrowed thresholds: most of a wall thinner than a cell is excluded, at levels based on the field in its middle")
 {
   const Hollow_ball ball(0.6 * Hollow_ball::width);
   REQUIRE(ball.depth == Approx(0.0225));
@@ -299,8 +298,7 @@ TEST_CASE("Narrowed thresholds: nearly all of a wall that is thinner than a cell
     }
 }
 
-TEST_CASE(
-  "Narrowed thresholds: places are tight where the mesh takes most of the room, and obstacles where it takes all")
+TEST_CASE("Narrowed thresholds: places are tight if the mesh takes most of the room, and obstacles if it takes all")
 {
   Hollow_ball ball(0.6 * Hollow_ball::width);
   const auto ask_for = [&](double size) {
@@ -322,7 +320,7 @@ TEST_CASE(
   CHECK(are_there(ball.choose(none)));
 }
 
-TEST_CASE("Narrowed thresholds: a wall that is far thinner than its cells is left out, too")
+TEST_CASE("Narrowed thresholds: a wall far thinner than its cells is excluded, too")
 {
   for(double wall : { 0.3, 0.2, 0.1 }) {
     CAPTURE(wall);
@@ -338,7 +336,7 @@ TEST_CASE("Narrowed thresholds: a wall that is far thinner than its cells is lef
   }
 }
 
-TEST_CASE("Narrowed thresholds: caps are kept for another field, and are wider where cells are narrower")
+TEST_CASE("Narrowed thresholds: caps are kept for the next field, and are wider on finer cells")
 {
   const Ball ball;
   Thresholds thresholds(seed());
@@ -372,7 +370,7 @@ TEST_CASE("Narrowed thresholds: caps are kept for another field, and are wider w
   CHECK(thresholds.inner().value(Point_3(0, 0, 0)) == Approx((std::max)(2 * at_center, -half)));
 }
 
-TEST_CASE("Narrowed thresholds: what is kept where the field stays the same makes no difference")
+TEST_CASE("Narrowed thresholds: reusing results of an unchanged field does not change the thresholds")
 {
   Ball ball;
   Thresholds kept(seed());
@@ -413,8 +411,7 @@ TEST_CASE("Narrowed thresholds: what is kept where the field stays the same make
   CHECK(outer(fresh).maxCoeff() == 0.2);
 }
 
-TEST_CASE(
-  "Narrowed thresholds: on finer cells caps are kept, but in cells that are split, and covers under new numbers")
+TEST_CASE("Narrowed thresholds: on finer cells, covers and caps are kept under new indices, except in split cells")
 {
   Ball ball;
   Thresholds kept(seed());
@@ -455,7 +452,7 @@ TEST_CASE(
   CHECK(covered.undecided_volume() == 0);
 }
 
-TEST_CASE("Narrowed thresholds: the same with one and several threads")
+TEST_CASE("Narrowed thresholds: the result does not depend on the number of threads")
 {
   const Ball ball;
   Thresholds one(seed()), several(seed());

@@ -54,7 +54,7 @@ bool is_certified(const Shell& shell, const Poly_mesh& mesh)
 
 } // namespace
 
-TEST_CASE("OpenMesh: a certified shell, and the map between two meshes in it")
+TEST_CASE("OpenMesh: a shell is certified, and points are mapped between two meshes in it")
 {
   const Ball ball;
   REQUIRE(ball.shell.is_certified());
@@ -73,7 +73,7 @@ TEST_CASE("OpenMesh: a certified shell, and the map between two meshes in it")
   CHECK(matched);
 }
 
-TEST_CASE("OpenMesh: coordinates count with all their bits")
+TEST_CASE("OpenMesh: coordinates are read at full precision")
 {
   Poly_mesh mesh = openmesh_of(sphere(2));
   const Shell shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(0.05));
@@ -83,7 +83,7 @@ TEST_CASE("OpenMesh: coordinates count with all their bits")
   CHECK(shell.report().cells == same.report().cells);
 }
 
-TEST_CASE("OpenMesh: simplified and remeshed under proof")
+TEST_CASE("OpenMesh: simplified and remeshed meshes are certified")
 {
   Ball ball;
   // num_faces() counts removed facets until the mesh collects its garbage
@@ -99,7 +99,7 @@ TEST_CASE("OpenMesh: simplified and remeshed under proof")
   CHECK(is_certified(ball.shell, ball.mesh));
 }
 
-TEST_CASE("OpenMesh: truncated, at vertices with facets in common, too")
+TEST_CASE("OpenMesh: meshes can be truncated, even at vertices with common facets")
 {
   const Mesh ball = sphere(1);
   const Mesh::Vertex_index v(0), beside = ball.source(ball.halfedge(v));
@@ -119,7 +119,7 @@ TEST_CASE("OpenMesh: truncated, at vertices with facets in common, too")
   }
 }
 
-TEST_CASE("OpenMesh: closed and opened again, or left as it is")
+TEST_CASE("OpenMesh: a mesh is closed and opened again, or left unchanged if the closing does not fit")
 {
   typedef BS::Shell_closing_3 Closing;
   const Mesh square = sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; });

@@ -33,7 +33,7 @@ void add_round(Budget& budget, bool is_partial, bool is_examined)
 
 } // namespace
 
-TEST_CASE("Budget: a round takes memory for each cell and each point, a limit of memory comes before one of numbers")
+TEST_CASE("Budget: a round takes memory per cell and per point, and memory limits precede index limits")
 {
   const BS::Refinement_limit limit = Budget(limits(no_limit)).limit_of_round(3000, 9000, no_limit);
   CHECK(limit.resource == Refinement_resource::NONE);
@@ -47,7 +47,7 @@ TEST_CASE("Budget: a round takes memory for each cell and each point, a limit of
   CHECK(resource(27.2e6, 5999) == Refinement_resource::NUMBERS);
 }
 
-TEST_CASE("Budget: the effort of a round is its cells, and those that were fitted before")
+TEST_CASE("Budget: the effort of a round includes the cells fitted in earlier rounds")
 {
   BS::Refinement_parameters parameters;
   parameters.max_cells = 10000;
@@ -63,7 +63,8 @@ TEST_CASE("Budget: the effort of a round is its cells, and those that were fitte
   CHECK(resource(6501) == Refinement_resource::EFFORT);
 }
 
-TEST_CASE("Budget: a partial round was in vain if it left as much to be mended, or did not get as far")
+TEST_CASE(
+  "Budget: a partial round is in vain if it leaves as many undecided cells, or does not reach their examination")
 {
   const auto was_in_vain = [](bool is_partial, bool examined_before, bool examined, std::size_t undecided_before,
                               std::size_t undecided) {
@@ -83,7 +84,7 @@ TEST_CASE("Budget: a partial round was in vain if it left as much to be mended, 
   CHECK_FALSE(budget.was_partial_round_stalled());
 }
 
-TEST_CASE("Budget: the time of a step is that since the step before")
+TEST_CASE("Budget: the time of a step starts at the end of the previous step")
 {
   Budget budget(limits(no_limit));
   budget.start();

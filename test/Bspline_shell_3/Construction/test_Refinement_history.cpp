@@ -24,21 +24,21 @@ BS::Refinement_round round_with(std::size_t thick_cells, std::size_t failing_fac
 
 } // namespace
 
-TEST_CASE("Refinement history: rounds are in vain if as many in a row as allowed leave as much as the best one before")
+TEST_CASE("Refinement history: refinement is in vain after too many rounds in a row without progress")
 {
   const BS::Refinement_tuning tuning;
   BS::Refinement_history history(0, tuning);
   history.add_round(round_with(0, 5, 100), 1);
-  for(int n = 1; n < tuning.max_rounds_in_vain; ++n) {
+  for(int n = 1; n < tuning.max_stalled_rounds; ++n) {
     history.add_round(round_with(0, 5, 100), 1);
     CHECK_FALSE(history.is_stalled());
   }
-  SECTION("one more")
+  SECTION("one more round without progress")
   {
     history.add_round(round_with(0, 9, 200), 2);
     CHECK(history.is_stalled());
   }
-  SECTION("one that leads on begins the count anew")
+  SECTION("a round with progress resets the count")
   {
     SECTION("fewer facets")
     {
@@ -48,27 +48,26 @@ TEST_CASE("Refinement history: rounds are in vain if as many in a row as allowed
     {
       history.add_round(round_with(0, 5, 89), 1);
     }
-    SECTION("clearly less volume of obstacles")
+    SECTION("clearly smaller volume of obstacles")
     {
       history.add_round(round_with(0, 5, 100), 0.89);
     }
-    SECTION("cells that are still too thick say nothing yet")
+    SECTION("rounds with fields that are too large do not count")
     {
       history.add_round(round_with(1, 5, 100), 1);
     }
     CHECK_FALSE(history.is_stalled());
-    for(int n = 0; n < tuning.max_rounds_in_vain; ++n) history.add_round(round_with(0, 5, 100), 1);
+    for(int n = 0; n < tuning.max_stalled_rounds; ++n) history.add_round(round_with(0, 5, 100), 1);
     CHECK(history.is_stalled());
   }
-  SECTION("hardly fewer obstacles are as many")
+  SECTION("slightly fewer obstacles are no progress")
   {
     history.add_round(round_with(0, 5, 91), 0.91);
     CHECK(history.is_stalled());
   }
 }
 
-TEST_CASE("Refinement history: a facet is a reason to refine a few times only, and once in a round however many cells "
-          "it fails in")
+TEST_CASE("Refinement history: a facet causes a few refinements only, at most one per round")
 {
   BS::Refinement_tuning tuning;
   tuning.max_refinements_of_a_facet = 2;
@@ -82,7 +81,7 @@ TEST_CASE("Refinement history: a facet is a reason to refine a few times only, a
   CHECK(history.cells_worth_refining({ { 5, 0 }, { 6, 3 } }) == std::vector<std::uint32_t>{ 5 });
 }
 
-TEST_CASE("Refinement history: obstacles are few or many, for the size of the mesh")
+TEST_CASE("Refinement history: whether obstacles are few or many depends on the size of the mesh")
 {
   const BS::Refinement_tuning tuning;
   const auto kind = [&](std::size_t cells, std::size_t cells_at_mesh) {
@@ -95,7 +94,7 @@ TEST_CASE("Refinement history: obstacles are few or many, for the size of the me
   CHECK(kind(1001, 128000) == Obstacle_kind::MANY);
 }
 
-TEST_CASE("Refinement history: many obstacles of a field that was too large on the mesh tell nothing of gaps")
+TEST_CASE("Refinement history: many obstacles of a field that is too large on the mesh do not indicate narrow gaps")
 {
   const BS::Refinement_tuning tuning;
   BS::Refinement_history history(0, tuning);
@@ -104,13 +103,12 @@ TEST_CASE("Refinement history: many obstacles of a field that was too large on t
   CHECK(history.kind_of_obstacles(9, 1000, true) == Obstacle_kind::FEW);
 }
 
-TEST_CASE(
-  "Refinement history: gaps are narrow if very many cells have obstacles, or many twice in a row, that stays so")
+TEST_CASE("Refinement history: gaps are narrow, permanently, after very many obstacles once, or many twice in a row")
 {
   const BS::Refinement_tuning tuning;
   BS::Refinement_history history(0, tuning);
   const std::size_t all = 12000;
-  SECTION("very many")
+  SECTION("very many obstacles")
   {
     CHECK(history.kind_of_obstacles(2400, all, false) == Obstacle_kind::MANY);
     BS::Refinement_history other(0, tuning);
@@ -120,12 +118,12 @@ TEST_CASE(
     CHECK(other.kind_of_obstacles(2401, all, true) == Obstacle_kind::THICK_FIELD);
     CHECK(other.are_gaps_narrow());
   }
-  SECTION("many, twice")
+  SECTION("many obstacles twice in a row")
   {
     CHECK(history.kind_of_obstacles(1001, all, false) == Obstacle_kind::MANY);
     CHECK(history.kind_of_obstacles(1001, all, false) == Obstacle_kind::NARROW_GAPS);
   }
-  SECTION("many, with fewer in between")
+  SECTION("many obstacles, with fewer in between")
   {
     CHECK(history.kind_of_obstacles(1001, all, false) == Obstacle_kind::MANY);
     CHECK(history.kind_of_obstacles(999, all, false) == Obstacle_kind::MANY);

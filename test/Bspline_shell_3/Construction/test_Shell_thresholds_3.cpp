@@ -124,7 +124,7 @@ double steepest(const Field& threshold, CGAL::Random& random)
 
 } // namespace
 
-TEST_CASE("Thresholds: the mesh is between them in every cell, whatever caps there are")
+TEST_CASE("Shell thresholds: the mesh lies between the thresholds in every cell, whatever the caps")
 {
   const Problem& p = problem();
   CGAL::Random random(2);
@@ -176,8 +176,7 @@ TEST_CASE("Thresholds: the mesh is between them in every cell, whatever caps the
   }
 }
 
-TEST_CASE("Thresholds: what the mesh needs in a cell is what it needs of the functions that act there: comparison with "
-          "a search")
+TEST_CASE("Shell thresholds: a cell needs the room of all functions acting in it, as found by a search")
 {
   const Problem& p = problem();
   Thresholds thresholds(p.field, asked);
@@ -194,7 +193,7 @@ TEST_CASE("Thresholds: what the mesh needs in a cell is what it needs of the fun
   }
 }
 
-TEST_CASE("Thresholds: a cap holds in its cell, where the mesh allows it, and on its side only")
+TEST_CASE("Shell thresholds: a cap applies in its cell, as far as the mesh allows, and only to its side")
 {
   const Problem& p = problem();
   CGAL::Random random(3);
@@ -224,7 +223,7 @@ TEST_CASE("Thresholds: a cap holds in its cell, where the mesh allows it, and on
   CHECK(needing < 22);
 }
 
-TEST_CASE("Thresholds: caps can be given to others, also on cells of which some are split")
+TEST_CASE("Shell thresholds: caps can be copied to other thresholds, even on finer cells")
 {
   const Problem& p = problem();
   CGAL::Random random(9);
@@ -259,7 +258,7 @@ TEST_CASE("Thresholds: caps can be given to others, also on cells of which some 
   }
 }
 
-TEST_CASE("Thresholds: beyond a cap the threshold rises to what is asked for")
+TEST_CASE("Shell thresholds: with distance from a cap, the threshold rises to its requested value")
 {
   const Problem& p = problem();
   CGAL::Random random(4);
@@ -287,7 +286,7 @@ TEST_CASE("Thresholds: beyond a cap the threshold rises to what is asked for")
     }
 }
 
-TEST_CASE("Thresholds: beyond a cap the slope is bounded, on cells of the same size")
+TEST_CASE("Shell thresholds: the slope around a cap is bounded on cells of equal size")
 {
   CGAL::Random random(7);
   const Field field(
@@ -301,7 +300,7 @@ TEST_CASE("Thresholds: beyond a cap the slope is bounded, on cells of the same s
         <= slope * 1.25);
 }
 
-TEST_CASE("Thresholds: beyond a cap the slope is bounded, also where cells of different sizes meet")
+TEST_CASE("Shell thresholds: the slope around a cap is bounded, even where cells of different sizes meet")
 {
   const Problem& p = problem();
   CGAL::Random random(8);
@@ -310,7 +309,7 @@ TEST_CASE("Thresholds: beyond a cap the slope is bounded, also where cells of di
       CHECK(steepest(capped_once(p.field, slope, p.random_cell(random), sides[n % 2], 0.05), random) <= slope * 1.25);
 }
 
-TEST_CASE("Thresholds: several caps are the least of each, in any order")
+TEST_CASE("Shell thresholds: several caps yield the minimum of their thresholds, in any order")
 {
   const Problem& p = problem();
   CGAL::Random random(5);
@@ -336,7 +335,7 @@ TEST_CASE("Thresholds: several caps are the least of each, in any order")
   }
 }
 
-TEST_CASE("Thresholds: two levels everywhere")
+TEST_CASE("Shell thresholds: set_constant() yields two constant levels")
 {
   const Problem& p = problem();
   Thresholds thresholds(p.field, asked);
@@ -355,7 +354,7 @@ TEST_CASE("Thresholds: two levels everywhere")
   }
 }
 
-TEST_CASE("Thresholds: a thickness that varies is followed where nothing else rules")
+TEST_CASE("Shell thresholds: a varying thickness is reproduced where no cap narrows it")
 {
   const Problem& p = problem();
   // A spline reproduces linear functions.
@@ -390,7 +389,7 @@ TEST_CASE("Thresholds: a thickness that varies is followed where nothing else ru
   }
 }
 
-TEST_CASE("Thresholds: the number of threads does not matter")
+TEST_CASE("Shell thresholds: the result does not depend on the number of threads")
 {
   const Problem& p = problem();
   Thresholds thresholds(p.field, asked);

@@ -51,15 +51,14 @@ Obstacle obstacle(Index c, CGAL::Sign side, double size)
 
 } // namespace
 
-TEST_CASE("Threshold obstacles: their cells, each once")
+TEST_CASE("Threshold obstacles: each cell of the obstacles is listed once")
 {
   CHECK(BS::cells_of({}).empty());
   CHECK(BS::cells_of({ obstacle(7, CGAL::ZERO, 0), obstacle(3, CGAL::POSITIVE, 1), obstacle(7, CGAL::NEGATIVE, 1) })
         == std::vector<Index>{ 3, 7 });
 }
 
-TEST_CASE("Culprits: cells that share a function with an obstacle's cell, and where the field is too large on the "
-          "mesh, on the obstacle's side")
+TEST_CASE("Culprits: a culprit shares a function with the obstacle's cell, and its range is too large on that side")
 {
   CGAL::Random random(3);
   const Field equal(Hierarchy(some_cells(random, lattice(), { -6, -6, -6 }, { 5, 5, 5 }, 1)));
@@ -73,7 +72,8 @@ TEST_CASE("Culprits: cells that share a function with an obstacle's cell, and wh
       const Index c = Index(random.get_int(0, int(ranges.size())));
       const std::vector<Index> here = functions(*field, c);
       for(CGAL::Sign side : { CGAL::POSITIVE, CGAL::NEGATIVE }) {
-        const std::vector<Index> causing_cells = BS::causing_cells_of<Tag>(*field, ranges, { obstacle(c, side, 0.8) }, 0.5);
+        const std::vector<Index> causing_cells = BS::causing_cells_of<Tag>(*field, ranges, { obstacle(c, side, 0.8) },
+                                                                           0.5);
         CHECK(std::is_sorted(causing_cells.begin(), causing_cells.end()));
         found += causing_cells.size();
         const auto is_too_large = [&](Index d) {
@@ -93,7 +93,7 @@ TEST_CASE("Culprits: cells that share a function with an obstacle's cell, and wh
   }
 }
 
-TEST_CASE("Culprits: the obstacle's own cell, where none is too large, or the place is at the mesh")
+TEST_CASE("Culprits: the obstacle's own cell is the culprit if no range is too large, or the obstacle is at the mesh")
 {
   CGAL::Random random(4);
   const Field field(Hierarchy(some_cells(random, lattice(), { -6, -6, -6 }, { 5, 5, 5 }, 1)));
@@ -105,7 +105,7 @@ TEST_CASE("Culprits: the obstacle's own cell, where none is too large, or the pl
         == std::vector<Index>{ 5, 9 });
 }
 
-TEST_CASE("Culprits: the same with one and several threads")
+TEST_CASE("Culprits: the result does not depend on the number of threads")
 {
   CGAL::Random random(5);
   const Field field(random_hierarchy(random, some_cells(random, lattice(), { -6, -6, -6 }, { 5, 5, 5 }, 1), 3, 2));

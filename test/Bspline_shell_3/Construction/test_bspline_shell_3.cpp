@@ -167,29 +167,29 @@ TEST_CASE("A shell encloses its mesh")
   const auto check = [](const Mesh& mesh, double resolution) {
     check_shell(CGAL::bspline_shell_3(mesh, P::resolution(resolution)), mesh);
   };
-  SECTION("smooth")
+  SECTION("a smooth mesh")
   {
     check(sphere(2), 16);
   }
-  SECTION("polygons")
+  SECTION("a mesh of polygons")
   {
     check(box(Point_3(0, 0, 0), Point_3(3, 2, 1), false), 16);
   }
-  SECTION("genus one")
+  SECTION("a torus")
   {
     check(torus(3, 1.2, 20, 12), 16);
   }
-  SECTION("facets larger than cells, off the origin")
+  SECTION("facets larger than cells, away from the origin")
   {
     check(sphere(0, 2, Point_3(70, -30, 10)), 20);
   }
-  SECTION("a user's mesh")
+  SECTION("a demo mesh of CGAL")
   {
     check(demo_mesh("blobby.off"), 20);
   }
 }
 
-TEST_CASE("A mesh with removed facets has one range for each that is left")
+TEST_CASE("A mesh with removed facets has one facet range per remaining facet")
 {
   Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   Mesh gone;
@@ -204,7 +204,7 @@ TEST_CASE("A mesh with removed facets has one range for each that is left")
   CHECK(shell.facet_ranges().size() == 12);
 }
 
-TEST_CASE("bounded_side: between the levels, near the mesh")
+TEST_CASE("bounded_side() places points away from the mesh, or beyond the levels, outside the shell")
 {
   const Mesh mesh = sphere(3);
   const Shell shell = CGAL::bspline_shell_3(mesh, P::resolution(16));
@@ -220,7 +220,7 @@ TEST_CASE("bounded_side: between the levels, near the mesh")
   for(auto v : mesh.vertices()) REQUIRE(shell.bounded_side(mesh.point(v)) != CGAL::ON_UNBOUNDED_SIDE);
 }
 
-TEST_CASE("On the boundary is where f is one of the levels, in cells of the shell only")
+TEST_CASE("bounded_side() places points where f equals a level on the boundary, only in cells of the shell")
 {
   // f = x - 1/2 on two cells; the levels are x = 1/2 and x = 3/4. The cell with x < 0 is not part of the shell.
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-2, -2, -2, 2, 2, 2), 1);
@@ -247,7 +247,7 @@ TEST_CASE("On the boundary is where f is one of the levels, in cells of the shel
   CHECK(other.bounded_side(Point_3(0.625, 0.5, 0.5)) == CGAL::ON_UNBOUNDED_SIDE);
 }
 
-TEST_CASE("resolution and grid_spacing are two ways to ask for the same cells")
+TEST_CASE("resolution() and grid_spacing() can request the same cells")
 {
   const Mesh mesh = box(Point_3(0, 0, 0), Point_3(4, 2, 2));
   const Shell a = CGAL::bspline_shell_3(mesh, P::resolution(16)),
@@ -263,7 +263,7 @@ TEST_CASE("resolution and grid_spacing are two ways to ask for the same cells")
   CHECK(d.field().cells().width() == 0.5);
 }
 
-TEST_CASE("The field's domain is the cells of the mesh and rings of cells around them")
+TEST_CASE("The domain of the field consists of the cells of the mesh and the requested rings around them")
 {
   const Mesh mesh = sphere(2);
   for(int rings : { 2, 3 }) {
@@ -286,7 +286,7 @@ TEST_CASE("The field's domain is the cells of the mesh and rings of cells around
   }
 }
 
-TEST_CASE("The dense grid agrees with the band, to a tenth of the levels")
+TEST_CASE("A dense grid and a band of cells yield the same levels up to 10 percent")
 {
   const Mesh mesh = sphere(2);
   const Shell band = CGAL::bspline_shell_3(mesh, P::resolution(12)),
@@ -300,7 +300,7 @@ TEST_CASE("The dense grid agrees with the band, to a tenth of the levels")
   CHECK(dense.outer_level() == Approx(band.outer_level()).epsilon(0.1));
 }
 
-TEST_CASE("The weights reach the fit")
+TEST_CASE("The fit uses the given energy weights")
 {
   const Mesh mesh = sphere(1);
   const Shell paper = CGAL::bspline_shell_3(mesh, P::resolution(8).energy_weights(BS::Energy_weights::paper()));
@@ -316,7 +316,7 @@ TEST_CASE("The weights reach the fit")
   CHECK(distance_only.report().fit.energy[std::size_t(BS::Energy_term::NORMAL)] == 0);
 }
 
-TEST_CASE("A solver may be passed by value or by reference, and its failure is a reason")
+TEST_CASE("A solver may be passed by value or by reference, and its failure is reported")
 {
   const Mesh mesh = sphere(1);
   BS::Conjugate_gradient_solver<> solver(1e-8);
@@ -336,7 +336,7 @@ TEST_CASE("A solver may be passed by value or by reference, and its failure is a
   CHECK(failed.report().fit.status == BS::Solver_status::NOT_CONVERGED);
 }
 
-TEST_CASE("A solver that returns zeros, garbage or a vector of another size with SUCCESS is a reason, too")
+TEST_CASE("A solver that returns zeros, garbage or a vector of the wrong size with SUCCESS is detected")
 {
   struct Liar
   {
@@ -362,7 +362,7 @@ TEST_CASE("A solver that returns zeros, garbage or a vector of another size with
   }
 }
 
-TEST_CASE("A user's distance replaces that to the mesh")
+TEST_CASE("A signed distance given by the user replaces the distance to the mesh")
 {
   const Mesh mesh = sphere(2);
   const Pinned_distance pinned;
@@ -396,7 +396,7 @@ TEST_CASE("A user's distance replaces that to the mesh")
   CHECK(own.outer_level() == Approx(default_distance.outer_level()).epsilon(1e-3));
 }
 
-TEST_CASE("The visitor is told of every step, in order, and can stop at each")
+TEST_CASE("The visitor is called for each step, in order, and can stop at each")
 {
   const Mesh mesh = sphere(1);
   const std::vector<Step> all = { Step::CHECK, Step::CELLS, Step::DISTANCE, Step::FIT, Step::BOUNDS };
@@ -421,7 +421,7 @@ TEST_CASE("The visitor is told of every step, in order, and can stop at each")
   for(Step step : all) CHECK_FALSE(std::string(BS::name(step)).empty());
 }
 
-TEST_CASE("GRID_TOO_FINE: cells too small for the coordinates or for the lattice's numbers")
+TEST_CASE("GRID_TOO_FINE is returned if cells are too small for the coordinates or the lattice's indices")
 {
   const auto status = [](const Mesh& mesh, double resolution) {
     return CGAL::bspline_shell_3(mesh, P::resolution(resolution).memory_limit(1e8)).status();
@@ -435,7 +435,7 @@ TEST_CASE("GRID_TOO_FINE: cells too small for the coordinates or for the lattice
   CHECK(CGAL::bspline_shell_3(near, P::grid_spacing(1e-12)).status() == Status::GRID_TOO_FINE);
 }
 
-TEST_CASE("MEMORY_LIMIT_EXCEEDED: found out before the memory is taken")
+TEST_CASE("MEMORY_LIMIT_EXCEEDED is returned before the memory is allocated")
 {
   const Mesh mesh = sphere(1);
   const auto build = [&](double resolution, double limit, bool dense) {
@@ -456,7 +456,7 @@ TEST_CASE("MEMORY_LIMIT_EXCEEDED: found out before the memory is taken")
   CHECK(build(10, 1e8, true) == Status::SUCCESS);
 }
 
-TEST_CASE("A bounding surface that runs out of the cells: a refusal if their number was given, more cells if not")
+TEST_CASE("A shell that leaves its cells is rejected if the number of rings is given, and gets more cells otherwise")
 {
   // The mesh is a flat double cone. Its rim is so sharp that f is off by many cells there.
   const int corners = 12;
@@ -527,7 +527,7 @@ TEST_CASE("A bounding surface that runs out of the cells: a refusal if their num
   CHECK(stopper.steps.back() == Step::CELLS);
 }
 
-TEST_CASE("Refusals come with the places that are to blame")
+TEST_CASE("Rejected meshes are reported with their offending facets")
 {
   Mesh open = box(Point_3(0, 0, 0), Point_3(1, 1, 1), false);
   CGAL::Euler::remove_face(open.halfedge(*open.faces().begin()), open);
@@ -549,7 +549,7 @@ TEST_CASE("Refusals come with the places that are to blame")
   if(allowed) check_shell(allowed, crossing);
 }
 
-TEST_CASE("The distance to another mesh is a user's distance like any other")
+TEST_CASE("The distance to another mesh can be used like any signed distance given by the user")
 {
   // The larger sphere meets cells that the mesh of the smaller one does not enter. Their signs must come from the
   // oracle.
@@ -569,7 +569,7 @@ TEST_CASE("The distance to another mesh is a user's distance like any other")
   }
 }
 
-TEST_CASE("DISTANCE_NOT_FINITE: the oracle returns no number")
+TEST_CASE("DISTANCE_NOT_FINITE is returned if the oracle returns NaN")
 {
   struct Hole : Sphere_distance
   {
@@ -582,7 +582,7 @@ TEST_CASE("DISTANCE_NOT_FINITE: the oracle returns no number")
         == Status::DISTANCE_NOT_FINITE);
 }
 
-TEST_CASE("INVALID_PARAMETER: numbers without sense, also where assertions are off")
+TEST_CASE("INVALID_PARAMETER is returned for meaningless numbers, with the parameter's name, value and bounds")
 {
   const Mesh mesh = sphere(0);
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
@@ -610,7 +610,7 @@ TEST_CASE("INVALID_PARAMETER: numbers without sense, also where assertions are o
   CHECK_FALSE(CGAL::bspline_shell_3(mesh, P::resolution(6)).report().invalid_parameter);
 }
 
-TEST_CASE("TOO_MANY_CELLS: found out before they are listed", "[slow]")
+TEST_CASE("TOO_MANY_CELLS is returned before the cells are enumerated", "[slow]")
 {
   const Mesh mesh = sphere(0);
   CHECK(CGAL::bspline_shell_3(mesh, P::resolution(3000).dense_grid(true)).status() == Status::TOO_MANY_CELLS);
@@ -619,7 +619,7 @@ TEST_CASE("TOO_MANY_CELLS: found out before they are listed", "[slow]")
         == Status::TOO_MANY_CELLS);
 }
 
-TEST_CASE("A default shell is none")
+TEST_CASE("A default-constructed shell is empty")
 {
   const Shell shell;
   CHECK_FALSE(shell);

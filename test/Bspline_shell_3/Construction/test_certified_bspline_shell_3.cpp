@@ -109,7 +109,7 @@ Mesh squares(int n, const Is_kept& is_kept)
 
 } // namespace
 
-TEST_CASE("certified shells: flat and symmetric meshes, axis-parallel and turned, of any size", "[slow]")
+TEST_CASE("Certified shells: flat and symmetric meshes are certified, axis-aligned and rotated, at any size", "[slow]")
 {
   const auto is_in_L = [](int i, int j) { return i < 5 || j < 5; };
   const std::pair<Mesh, double> meshes[] = { { rings({ 0.9, 0.925, 0.95, 0.975, 1. }, 80),
@@ -133,8 +133,7 @@ TEST_CASE("certified shells: flat and symmetric meshes, axis-parallel and turned
     }
 }
 
-TEST_CASE(
-  "certified shells: bounds on cells are shared by copies, outlive the shell that was built, and change no certificate")
+TEST_CASE("Certified shells: copies share the bounds on cells, which outlive the original and change no certificate")
 {
   const Mesh mesh = torus(2, 0.7, 24, 12);
   std::optional<Shell> built(CGAL::certified_bspline_shell_3(mesh));
@@ -165,7 +164,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("certified shells: simple solids are certified at the default thickness, which the thresholds keep")
+TEST_CASE("Certified shells: simple solids are certified at the default thickness, without narrowing")
 {
   for(const Mesh& mesh :
       { sphere(2), box(Point_3(0, 0, 0), Point_3(3, 2, 1)), pyramid(12, 1.), torus(2, 0.7, 24, 12) }) {
@@ -178,7 +177,7 @@ TEST_CASE("certified shells: simple solids are certified at the default thicknes
   }
 }
 
-TEST_CASE("certified shells: the result does not depend on the number of threads")
+TEST_CASE("Certified shells: the result does not depend on the number of threads")
 {
   const Mesh mesh = box(Point_3(0, 0, 0), Point_3(2, 1, 1));
   const Shell one = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(mesh);
@@ -188,9 +187,8 @@ TEST_CASE("certified shells: the result does not depend on the number of threads
   CHECK(one.report().certificate.least_gradient == two.report().certificate.least_gradient);
 }
 
-TEST_CASE(
-  "certified shells: a smaller thickness takes more cells, and thickness can be asked for in units or as a function",
-  "[slow]")
+TEST_CASE("Certified shells: a smaller thickness takes more cells, and may be given in units or as a function",
+          "[slow]")
 {
   const Mesh mesh = box(Point_3(0, 0, 0), Point_3(2, 1, 1));
   const Shell coarse = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(0.02));
@@ -207,7 +205,7 @@ TEST_CASE(
   CHECK(width_at(varying, Point_3(1.8, 0.5, 1)) == Approx(0.04).epsilon(0.01));
 }
 
-TEST_CASE("certified shells: between two plates the shell is narrower than elsewhere, however small the gap", "[slow]")
+TEST_CASE("Certified shells: between two plates the shell is narrowed as needed, however small the gap", "[slow]")
 {
   for(double gap : { 0.1, 0.008 }) {
     const Mesh mesh = together(box(Point_3(0, 0, 0), Point_3(1, 1, 0.2)),
@@ -226,7 +224,7 @@ TEST_CASE("certified shells: between two plates the shell is narrower than elsew
   }
 }
 
-TEST_CASE("certified shells: nested and separate components")
+TEST_CASE("Certified shells: nested and separate components are certified together")
 {
   const Mesh mesh = together(together(sphere(2, 1), inside_out(sphere(2, 0.8))), sphere(2, 0.3, Point_3(0.1, 0, 0)));
   const Shell shell = CGAL::certified_bspline_shell_3(mesh);
@@ -234,7 +232,7 @@ TEST_CASE("certified shells: nested and separate components")
   CHECK(shell.report().components == 3);
 }
 
-TEST_CASE("certified shells: facets at a sharp apex are passed the right way, as far as its cone allows")
+TEST_CASE("Certified shells: a pyramid with a sharp apex is certified")
 {
   for(double height : { 2., 5. }) {
     const Mesh mesh = pyramid(8, height);
@@ -244,8 +242,7 @@ TEST_CASE("certified shells: facets at a sharp apex are passed the right way, as
   }
 }
 
-TEST_CASE(
-  "certified shells: a mesh with a singular vertex that is not to be truncated is refused, and the vertex is named")
+TEST_CASE("Certified shells: without truncation, a mesh with a singular vertex is rejected, and the vertex is reported")
 {
   const Mesh mesh = demo_mesh("femur.off");
   const Shell refused = CGAL::certified_bspline_shell_3(mesh, parameters::truncate(false));
@@ -253,7 +250,7 @@ TEST_CASE(
   CHECK(refused.report().offending_simplices.vertices.size() == 1);
 }
 
-TEST_CASE("certified shells: limits end refinement with what there is")
+TEST_CASE("Certified shells: a limit ends refinement with the shell reached so far, and is reported")
 {
   const Mesh mesh = demo_mesh("elephant.off");
   const double thin = 0.003;
@@ -283,7 +280,7 @@ TEST_CASE("certified shells: limits end refinement with what there is")
         == BS::Shell_status::MEMORY_LIMIT_EXCEEDED);
 }
 
-TEST_CASE("certified shells: a sharp fin whose facets cannot all be as steep as they should be")
+TEST_CASE("Certified shells: a sharp fin is certified within two rounds")
 {
   // At the tip of a wing, facets at an angle of 16 degrees are a few hundredths of a cell apart.
   const Mesh mesh = demo_mesh("mech-holes-shark.off");
@@ -293,24 +290,27 @@ TEST_CASE("certified shells: a sharp fin whose facets cannot all be as steep as 
   CHECK(shell.report().rounds.size() <= 2);
 }
 
-TEST_CASE("certified shells: limits have sentences")
+TEST_CASE("Certified shells: each limit of refinement has a message")
 {
   BS::Refinement_limit limit = { BS::Refinement_resource::NONE, 1200, 4.2e9 };
   CHECK(message(limit).empty());
   limit.resource = BS::Refinement_resource::MEMORY;
-  CHECK(
-    message(limit)
-    == "Another round of refinement would have 1200 cells, and take about 4200 MB: that is beyond the memory limit.");
+  CHECK(message(limit)
+        == "Another round of refinement would have 1200 cells and need about 4200 MB, which exceeds the memory limit: "
+           "raise it (memory_limit).");
   limit.resource = BS::Refinement_resource::NUMBERS;
-  CHECK(message(limit) == "Another round of refinement would have 1200 cells, and more unknowns than can be numbered.");
+  CHECK(message(limit)
+        == "Another round of refinement would have 1200 cells and more unknowns than can be numbered: request a "
+           "thicker shell.");
   limit.resource = BS::Refinement_resource::EFFORT;
   CHECK(message(limit)
-        == "Another round of refinement would have 1200 cells, and all rounds together more than the effort limit.");
+        == "Another round of refinement would have 1200 cells, and all rounds together would exceed the effort limit: "
+           "raise it (effort_limit).");
   limit.resource = BS::Refinement_resource::ROUNDS;
-  CHECK(message(limit) == "There were as many rounds of refinement as are allowed.");
+  CHECK(message(limit) == "The maximum number of refinement rounds was reached.");
 }
 
-TEST_CASE("certified shells: constant thresholds are the tightest two levels")
+TEST_CASE("Certified shells: constant thresholds are two levels, closer than the requested thickness")
 {
   const Mesh mesh = box(Point_3(0, 0, 0), Point_3(2, 1, 1));
   const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::constant_thresholds(true));
@@ -319,7 +319,7 @@ TEST_CASE("certified shells: constant thresholds are the tightest two levels")
   CHECK(width_at(shell, Point_3(0, 0, 0)) == Approx(width_at(shell, Point_3(1, 0.5, 1))).epsilon(1e-9));
 }
 
-TEST_CASE("certified shells: senseless parameters, refusals and cancellation have a status")
+TEST_CASE("Certified shells: invalid parameters, rejected meshes and cancellation have a status")
 {
   const Mesh mesh = sphere(1);
   typedef BS::Shell_status Status;
@@ -392,8 +392,7 @@ Mesh globe(int latitudes, double x)
   return mesh;
 }
 
-TEST_CASE("certified shells: what is returned contains the mesh, wherever a limit ends refinement, also if the mesh "
-          "intersects itself",
+TEST_CASE("Certified shells: wherever a limit ends refinement, the shell contains the mesh, even if it self-intersects",
           "[slow]")
 {
   // Limits end refinement after the first or the second round. In the second round, the field was changed after it was

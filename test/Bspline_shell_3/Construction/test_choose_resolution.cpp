@@ -43,7 +43,7 @@ TEST_CASE("Resolution: a cube is bent in the cells at its edges, and folded in t
   }
 }
 
-TEST_CASE("Resolution: two sides of a plate that are in the same cell are a fold, in wide cells all is")
+TEST_CASE("Resolution: two sides of a plate in one cell count as a fold, and all cells are folded if they are wide")
 {
   CHECK(shares(box(Point_3(0, 0, 0), Point_3(1, 1, 0.01)), 0.05).folded == 1);
   const BS::Bend_shares ball = shares(sphere(3), 1. / 16), in_one_cell = shares(sphere(3), 100);
@@ -52,7 +52,7 @@ TEST_CASE("Resolution: two sides of a plate that are in the same cell are a fold
   CHECK(in_one_cell.folded == 1);
 }
 
-TEST_CASE("Resolution: cells are wider where the mesh allows it, and the thickness")
+TEST_CASE("Resolution: cells are as wide as the mesh and the thickness allow")
 {
   CHECK(chosen(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), 0.01) == 20);
   CHECK(chosen(box(Point_3(0, 0, 0), Point_3(7, 7, 7)), 0.07) == 20);
@@ -64,8 +64,7 @@ TEST_CASE("Resolution: cells are wider where the mesh allows it, and the thickne
   CHECK(chosen(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), 0.005) == BS::resolution_tuning.finest);
 }
 
-TEST_CASE(
-  "Resolution: a shell has the one that is chosen, or the one that is asked for, the number of threads does not matter")
+TEST_CASE("Resolution: a shell has the chosen or the requested resolution, for any number of threads")
 {
   const Mesh cube = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   CHECK(CGAL::certified_bspline_shell_3(cube).report().gamma == Approx(20));

@@ -37,7 +37,7 @@ struct In_rising_field
 
 } // namespace
 
-TEST_CASE("Failing facets: those that face away from the gradient, and no others")
+TEST_CASE("Failing facets: exactly the facets that face away from the gradient fail")
 {
   const In_rising_field problem;
   const std::size_t size = problem.input.mesh().number_of_faces();
@@ -61,7 +61,7 @@ TEST_CASE("Failing facets: those that face away from the gradient, and no others
   CHECK(failing.size() < size);
 }
 
-TEST_CASE("Failing facets: only those that are asked for, in the same order with any number of threads")
+TEST_CASE("Failing facets: only requested facets are reported, in the same order for any number of threads")
 {
   const In_rising_field problem;
   std::vector<char> chosen(problem.input.mesh().number_of_faces(), 0);

@@ -6,8 +6,7 @@
 namespace test_gap_in_cell {
 namespace BS = CGAL::Bspline_shells;
 
-TEST_CASE("Gap in a cell: the wall behind the mesh, the gap in front of it, or both, no more than is looked for, and "
-          "nothing of other cells")
+TEST_CASE("Gap in a cell: walls behind the mesh and gaps in front of it are measured in the cell, up to a limit")
 {
   // A plate of thickness 0.3. For y > 0, there is a plate of thickness 0.1 above it, at a distance of 0.2.
   Mesh mesh = box(Point_3(-3, -3, 0.1), Point_3(3, 3, 0.4));

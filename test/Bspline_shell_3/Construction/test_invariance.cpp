@@ -102,7 +102,7 @@ constexpr double rounding = 1e-7 * spacing;
 
 } // namespace
 
-TEST_CASE("Scaled by a power of two, a mesh has the same shell to the last bit")
+TEST_CASE("Scaling a mesh by a power of two scales its shell exactly")
 {
   const Mesh mesh = lump();
   const Shell shell = CGAL::bspline_shell_3<CGAL::Sequential_tag>(mesh, P::resolution(11));
@@ -122,7 +122,7 @@ TEST_CASE("Scaled by a power of two, a mesh has the same shell to the last bit")
   }
 }
 
-TEST_CASE("Scaled by any number, a mesh has the same shell up to rounding")
+TEST_CASE("Scaling a mesh by any factor scales its shell up to rounding")
 {
   const Mesh mesh = lump();
   const std::vector<Point_3> points = probes(mesh, spacing / 2);
@@ -136,7 +136,8 @@ TEST_CASE("Scaled by any number, a mesh has the same shell up to rounding")
   }
 }
 
-TEST_CASE("Scaled by any number, a box has the same shell at every resolution", "[slow]")
+TEST_CASE("Scaling a box by any factor preserves the number of cells and the relative thickness, at every resolution",
+          "[slow]")
 {
   // At even resolutions, all sides would be in lattice planes, and rounding would move them to either side.
   const Mesh mesh = box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), oblong = box(Point_3(0, 0, 0), Point_3(1, 0.5, 0.25));
@@ -158,7 +159,7 @@ TEST_CASE("Scaled by any number, a box has the same shell at every resolution", 
     }
 }
 
-TEST_CASE("Far from the origin, a mesh has the same shell up to rounding")
+TEST_CASE("Moving a mesh far from the origin moves its shell up to rounding")
 {
   Mesh mesh = lump();
   // The lattice begins at the center of the box, which is rounded to fewer bits far from the origin. So the center is
@@ -182,7 +183,7 @@ TEST_CASE("Far from the origin, a mesh has the same shell up to rounding")
   }
 }
 
-TEST_CASE("Turned by right angles or mirrored, a mesh has the turned shell")
+TEST_CASE("Rotating a mesh by right angles, or mirroring it, does the same to its shell")
 {
   const Mesh mesh = lump();
   const std::vector<Point_3> points = probes(mesh, spacing / 2);
@@ -204,7 +205,7 @@ TEST_CASE("Turned by right angles or mirrored, a mesh has the turned shell")
   check_same(shell, tight_shell(mirrored, spacing), points, mirror, 1, rounding);
 }
 
-TEST_CASE("Sides that lie in lattice planes are no exception")
+TEST_CASE("Sides in lattice planes do not break the symmetry of the shell")
 {
   // Two bricks of 4 x 5 x 5 cells each. Their sides are in lattice planes, which are at odd multiples of 1/4.
   Mesh mesh = box(Point_3(-2.5, -1, -1), Point_3(-0.75, 1, 1));
@@ -220,7 +221,7 @@ TEST_CASE("Sides that lie in lattice planes are no exception")
   check_same(shell, tight_shell(mirrored, spacing), points, mirror, 1, rounding);
 }
 
-TEST_CASE("With its facets reversed, a mesh has the negative field")
+TEST_CASE("Reversing the facets of a mesh negates the field")
 {
   Mesh mesh = lump();
   const std::vector<Point_3> points = probes(mesh, spacing / 2);
@@ -240,7 +241,7 @@ TEST_CASE("With its facets reversed, a mesh has the negative field")
   CHECK(shell.thickness() > 1e-3 * spacing); // otherwise all levels above would be equal
 }
 
-TEST_CASE("The shell is the same in every run and with any number of threads, to the last bit", "[slow]")
+TEST_CASE("The shell is bitwise identical in every run and for any number of threads", "[slow]")
 {
   const Mesh mesh = lump();
   const auto build = [&](auto tag) {

@@ -120,7 +120,7 @@ CGAL::Bbox_3 around(const Point_3& p)
 
 } // namespace
 
-TEST_CASE("extrema on an edge: polynomials with known critical points")
+TEST_CASE("Extrema on an edge: polynomials with known critical points have the expected range")
 {
   const auto r = [](int a, int b) { return Rational(a, b); };
   const std::vector<std::vector<Rational> > cases = { {},
@@ -164,7 +164,7 @@ TEST_CASE("extrema on an edge: polynomials with known critical points")
       }
 }
 
-TEST_CASE("extrema on an edge: no sample is beyond, and they are attained")
+TEST_CASE("Extrema on an edge: the range encloses all samples, and is attained")
 {
   CGAL::Random random(1);
   for(int n = 0; n < 300; ++n) {
@@ -192,7 +192,7 @@ TEST_CASE("extrema on an edge: no sample is beyond, and they are attained")
   }
 }
 
-TEST_CASE("extrema on an edge: constants, and no polynomial at all")
+TEST_CASE("Extrema on an edge: the range of a constant is its value")
 {
   for(double x : { 0., 1., -3.25, 1e300, 5e-324 }) {
     Nonic b;
@@ -203,7 +203,7 @@ TEST_CASE("extrema on an edge: constants, and no polynomial at all")
   }
 }
 
-TEST_CASE("bounds on facets: they enclose exact values of the spline all over each facet")
+TEST_CASE("Facet bounds: bounds enclose exact values of the spline on the whole facet")
 {
   const Point_3 center = GENERATE(Point_3(0, 0, 0), Point_3(1e6, -1e6, 1234.5));
   Problem problem(sphere(1, 1, center), BS::Lattice_3(around(center), 0.3));
@@ -236,7 +236,7 @@ TEST_CASE("bounds on facets: they enclose exact values of the spline all over ea
   for(const Range& facet : ranges.facet) CHECK(facet.min <= facet.max);
 }
 
-TEST_CASE("bounds on facets: that of the mesh exceeds what the field attains by at most the tolerance")
+TEST_CASE("Facet bounds: the range of the mesh exceeds the attained values by at most the tolerance")
 {
   Problem problem(sphere(1), BS::Lattice_3(around(CGAL::ORIGIN), 0.3));
   problem.set_noisy_distance(CGAL::ORIGIN, 1, 0.05, 3);
@@ -267,7 +267,7 @@ TEST_CASE("bounds on facets: that of the mesh exceeds what the field attains by 
   CHECK((sampled.max > edges.max || sampled.min < edges.min));
 }
 
-TEST_CASE("bounds on facets: they see a peak that lies between the edges")
+TEST_CASE("Facet bounds: a peak between the edges is enclosed")
 {
   // -(u - 1/2)^2 - (v - 1/4)^2 in units of the lattice. On the top and bottom of a box, the peak is inside a piece.
   Problem problem(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), BS::Lattice_3(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5));
@@ -301,7 +301,7 @@ TEST_CASE("bounds on facets: they see a peak that lies between the edges")
   }
 }
 
-TEST_CASE("bounds on facets: no part of a facet is forgotten, wherever the peak is")
+TEST_CASE("Facet bounds: a peak is enclosed, wherever it lies on the facet")
 {
   Problem problem(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), BS::Lattice_3(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5));
   CGAL::Random random(6);
@@ -321,7 +321,7 @@ TEST_CASE("bounds on facets: no part of a facet is forgotten, wherever the peak 
   }
 }
 
-TEST_CASE("bounds on facets: of a linear field they are its values at the vertices")
+TEST_CASE("Facet bounds: the bounds of a linear field are its values at the vertices")
 {
   const Mesh mesh = sphere(1);
   Problem problem(mesh, BS::Lattice_3(around(CGAL::ORIGIN), 0.3));
@@ -351,7 +351,7 @@ TEST_CASE("bounds on facets: of a linear field they are its values at the vertic
   CHECK(edges.max == Approx(whole.max).epsilon(0).margin(allowance));
 }
 
-TEST_CASE("bounds on facets: the allowance for rounding is needed, and is enough")
+TEST_CASE("Facet bounds: the allowance for rounding is necessary and sufficient")
 {
   // The field is linear, far from the origin. Coefficients of the form are values of the field, so there is no slack
   // between them.
@@ -375,7 +375,7 @@ TEST_CASE("bounds on facets: the allowance for rounding is needed, and is enough
   CHECK(beyond_values > 0);
 }
 
-TEST_CASE("bounds on facets: the same with any number of threads")
+TEST_CASE("Facet bounds: the result does not depend on the number of threads")
 {
   Problem problem(sphere(2), BS::Lattice_3(around(CGAL::ORIGIN), 0.1));
   REQUIRE(problem.clipped.number_of_pieces() > 3000); // several chunks
@@ -392,7 +392,7 @@ TEST_CASE("bounds on facets: the same with any number of threads")
   CHECK((c.min == d.min && c.max == d.max));
 }
 
-TEST_CASE("ranges: are empty until they include something")
+TEST_CASE("Level range: a range is empty until it includes a value")
 {
   Range r;
   CHECK(r.min > r.max);
@@ -406,7 +406,7 @@ TEST_CASE("ranges: are empty until they include something")
   CHECK((r.min == -1 && r.max == 2));
 }
 
-TEST_CASE("rounding of thresholds: never inwards, and no further than to the next multiple")
+TEST_CASE("Rounding of thresholds: thresholds are rounded outwards, at most to the next multiple")
 {
   const auto check = [](double x, double y, double quantum) {
     Range range;
@@ -438,7 +438,7 @@ TEST_CASE("rounding of thresholds: never inwards, and no further than to the nex
     for(double x : { 1., -1., 0.1, -0.1, 1e300, -1e300, 1e-300, 0. }) check(x, x, quantum);
 }
 
-TEST_CASE("rounding of thresholds: multiples stay where they are")
+TEST_CASE("Rounding of thresholds: multiples are unchanged")
 {
   Range range;
   range.min = -0.375;

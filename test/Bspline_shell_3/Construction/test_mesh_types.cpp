@@ -60,7 +60,7 @@ const Shell& reference()
 
 } // namespace
 
-TEST_CASE("Surface_mesh with other kernels: the same shell")
+TEST_CASE("Mesh types: a Surface_mesh with another kernel has the same shell")
 {
   const auto plain = mixed_mesh<CGAL::Surface_mesh<Plain::Point_3> >();
   check_identical(reference(), CGAL::bspline_shell_3<Tag>(plain, P::resolution(10)));
@@ -68,7 +68,7 @@ TEST_CASE("Surface_mesh with other kernels: the same shell")
   check_identical(reference(), CGAL::bspline_shell_3<Tag>(exact, P::resolution(10)));
 }
 
-TEST_CASE("Polyhedron_3: the same shell, its facets in the order of the polyhedron's")
+TEST_CASE("Mesh types: a Polyhedron_3 has the same shell, with facet ranges in its own order")
 {
   const Polyhedron polyhedron = mixed_mesh<Polyhedron>();
   const Shell shell = CGAL::bspline_shell_3<Tag>(polyhedron, P::resolution(10));
@@ -92,7 +92,7 @@ TEST_CASE("Polyhedron_3: the same shell, its facets in the order of the polyhedr
   CHECK(enclosed);
 }
 
-TEST_CASE("Polyhedron_3: refusals name positions in its ranges")
+TEST_CASE("Mesh types: offending simplices of a Polyhedron_3 are positions in its ranges")
 {
   Polyhedron polyhedron;
   CGAL::copy_face_graph(sphere(1), polyhedron);
@@ -121,7 +121,7 @@ TEST_CASE("Polyhedron_3: refusals name positions in its ranges")
   CHECK(refused.report().offending_simplices.facets == expected);
 }
 
-TEST_CASE("Numbers that are evaluated lazily count for what they are, however they came about")
+TEST_CASE("Mesh types: lazy coordinates are rounded by their exact values, however they were computed")
 {
   typedef CGAL::Surface_mesh<Epeck::Point_3> Exact_mesh;
   // Zero, as the square of (1/3 * large - 1/3 * large). The interval around it is wide and asymmetric.
@@ -137,7 +137,7 @@ TEST_CASE("Numbers that are evaluated lazily count for what they are, however th
   check_identical(reference(), CGAL::bspline_shell_3<Tag>(lazy, P::resolution(10)));
 }
 
-TEST_CASE("The vertex point map is honored, first or last in the parameters, ours or CGAL's")
+TEST_CASE("Mesh types: the vertex point map is used at any position among the named parameters")
 {
   Mesh mesh = mixed_mesh<Mesh>();
   std::unordered_map<Mesh::Vertex_index, Point_3> points;
@@ -157,7 +157,7 @@ TEST_CASE("The vertex point map is honored, first or last in the parameters, our
                   CGAL::bspline_shell_3<Tag>(mesh, CGAL::parameters::vertex_point_map(vpm).grid_spacing(spacing)));
 }
 
-TEST_CASE("A map may belong to the mesh and hold points of another kernel")
+TEST_CASE("Mesh types: a vertex point map may belong to the mesh, and hold points of another kernel")
 {
   Mesh mesh = mixed_mesh<Mesh>();
   auto map = mesh.add_property_map<Mesh::Vertex_index, Plain::Point_3>("v:elsewhere").first;

@@ -54,7 +54,7 @@ std::size_t number_of_neighbors(int axes)
 
 } // namespace
 
-TEST_CASE("Refinement plan: nothing wanting, nothing to refine")
+TEST_CASE("Refinement plan: without any findings, nothing is refined")
 {
   const BS::Refinement_plan plan = plan_for(block(), BS::Round_findings());
   CHECK(plan.split.empty());
@@ -63,38 +63,37 @@ TEST_CASE("Refinement plan: nothing wanting, nothing to refine")
   CHECK(plan.with_larger_weights.empty());
 }
 
-TEST_CASE("Refinement plan: cells are refined with their neighbors where slopes fail, and where the field is too large "
-          "in few, alone where in many")
+TEST_CASE("Refinement plan: neighbors are also refined if slopes fail or few fields are too large, but not if many are")
 {
   const Hierarchy cells = block();
   const Index middle = cell_at(cells, { 0, 0, 0 }), other = cell_at(cells, { 3, 3, 3 });
   BS::Round_findings found;
-  SECTION("slopes")
+  SECTION("failing slopes")
   {
-    found.facets_to_steepen = { middle };
+    found.cells_with_small_slopes = { middle };
     CHECK(plan_for(cells, found).split.size() == number_of_neighbors(3));
   }
-  SECTION("few thick")
+  SECTION("few cells where the field is too large")
   {
     found.thick = { middle };
     found.thick_at_first = { other }; // was corrected
     CHECK(plan_for(cells, found).split.size() == number_of_neighbors(3));
   }
-  SECTION("many thick, with those that are nearly so")
+  SECTION("many cells where the field is too large, or nearly so")
   {
     found.thick = { middle };
     found.are_many_thick = true;
     found.thick_at_first = { other };
     CHECK(plan_for(cells, found).split == Cells{ (std::min)(middle, other), (std::max)(middle, other) });
   }
-  SECTION("two sheets")
+  SECTION("two sheets in a cell")
   {
     found.two_sheets = { middle };
     CHECK(plan_for(cells, found).split == Cells{ middle });
   }
 }
 
-TEST_CASE("Refinement plan: the fewer cells with obstacles, the more of their neighbors are refined, but for very few")
+TEST_CASE("Refinement plan: the fewer cells have obstacles, the more neighbors are refined, except for very few")
 {
   const Hierarchy cells = block();
   BS::Round_findings found;
@@ -116,7 +115,7 @@ TEST_CASE("Refinement plan: the fewer cells with obstacles, the more of their ne
   CHECK(many.size() == cells_at_mesh / 38 + 1);
 }
 
-TEST_CASE("Refinement plan: what is done at obstacles depends on their kind")
+TEST_CASE("Refinement plan: the treatment of obstacles depends on their kind")
 {
   const Hierarchy cells = block();
   const Index obstacle = cell_at(cells, { 0, 0, 0 }), culprit = cell_at(cells, { 2, 0, 0 }),
@@ -124,17 +123,17 @@ TEST_CASE("Refinement plan: what is done at obstacles depends on their kind")
   BS::Round_findings found;
   found.obstacles = obstacles_in({ obstacle, obstacle });
   found.thick_at_first = { thick };
-  SECTION("few")
+  SECTION("for few obstacles, only face neighbors are split, too")
   {
     CHECK(plan_for(cells, found).at_gaps.empty());
     CHECK(plan_for(cells, found).split.size() == number_of_neighbors(1));
   }
-  SECTION("many are split more often at gaps")
+  SECTION("for many obstacles, their cells are split further at gaps")
   {
     found.kind = Obstacle_kind::MANY;
     CHECK(plan_for(cells, found).at_gaps == Cells{ obstacle });
   }
-  SECTION("those of a thick field are left alone")
+  SECTION("obstacles of a field that is too large are ignored")
   {
     found.kind = Obstacle_kind::THICK_FIELD;
     const BS::Refinement_plan plan = plan_for(cells, found);
@@ -142,7 +141,7 @@ TEST_CASE("Refinement plan: what is done at obstacles depends on their kind")
     CHECK(plan.at_gaps.empty());
     CHECK(plan.with_larger_weights.empty());
   }
-  SECTION("at narrow gaps, causing_cells are split in their place, and the next field is to be nearer to zero in both")
+  SECTION("at narrow gaps, causing_cells are split instead, and the next field is pulled to zero in both cells")
   {
     found.kind = Obstacle_kind::NARROW_GAPS;
     found.causing_cells = { culprit };
@@ -151,12 +150,12 @@ TEST_CASE("Refinement plan: what is done at obstacles depends on their kind")
     CHECK(plan.split == Cells{ culprit });
     CHECK(plan.at_gaps == Cells{ culprit });
     CHECK(plan.similar == Cells{ thick });
-    CHECK(
-      std::is_permutation(plan.with_larger_weights.begin(), plan.with_larger_weights.end(), Cells{ obstacle, culprit }.begin()));
+    CHECK(std::is_permutation(plan.with_larger_weights.begin(), plan.with_larger_weights.end(),
+                              Cells{ obstacle, culprit }.begin()));
   }
 }
 
-TEST_CASE("Refinement plan: at narrow gaps, cells with obstacles are refined if causing_cells are as small as may be")
+TEST_CASE("Refinement plan: at narrow gaps, cells with obstacles are refined if causing_cells are on the last level")
 {
   Hierarchy cells = block();
   while(cells.number_of_levels() <= cells.max_level())

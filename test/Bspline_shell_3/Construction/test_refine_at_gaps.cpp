@@ -44,7 +44,7 @@ bool are_equal(const Hierarchy& a, const Hierarchy& b)
 
 } // namespace
 
-TEST_CASE("Refinement at gaps: cells are split until they are no wider than four gaps, as often as is allowed")
+TEST_CASE("Refinement at gaps: cells are split until they are at most four gaps wide, or the limit is reached")
 {
   const Hierarchy cells = cells_of_width_one();
   for(double thickness : { 0.3, 0.1, 0.01 })

@@ -21,7 +21,7 @@ typedef Hierarchy::Index Index;
 
 } // namespace
 
-TEST_CASE("Obstacles: the narrower one of wall and gap, if it is not far wider than the cell, the narrowest first")
+TEST_CASE("Obstacles: the narrower of wall and gap is reported unless it is far wider than the cell, narrowest first")
 {
   // A plate of thickness 0.3 at z = 1. For y > 0, there is a plate of thickness 0.6 above it, at a distance of 0.2.
   Mesh mesh = box(Point_3(-3, -3, 1), Point_3(3, 3, 1.3));
@@ -66,8 +66,7 @@ TEST_CASE("Obstacles: the narrower one of wall and gap, if it is not far wider t
   CHECK(std::isinf(BS::refinement_obstacles<CGAL::Sequential_tag>(small, in_small, gap, one).front().gap));
 }
 
-TEST_CASE(
-  "Obstacles: where a limit ends refinement, the report has the wall, where it is and how small cells may have to be")
+TEST_CASE("Obstacles: if a limit ends refinement, the report has the wall, its location, and the cell size it may need")
 {
   const double thickness = 0.002;
   const Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, thickness));
@@ -86,8 +85,9 @@ TEST_CASE(
   CHECK(obstacles.front().gap == Approx(thickness).epsilon(1e-6));
   CHECK(std::is_sorted(obstacles.begin(), obstacles.end(), [](const auto& a, const auto& b) { return a.gap < b.gap; }));
   const std::string sentence = message(obstacles.front(), shell.report().unit);
-  CHECK(sentence.find("A wall of 0.2 % of the box at ") == 0);
-  CHECK(sentence.find("they may have to be as small as 0.1 %.") != std::string::npos);
+  CHECK(sentence.find("The wall at ") == 0);
+  CHECK(sentence.find(" is 0.2 % of the bounding box thick, and cells are ") != std::string::npos);
+  CHECK(sentence.find(" wide; cells of 0.1 % may be needed.") != std::string::npos);
 
   // A certified shell has no obstacles.
   const auto proved = CGAL::certified_bspline_shell_3(sphere(2), parameters::resolution(10.));
@@ -95,17 +95,17 @@ TEST_CASE(
   CHECK(proved.report().obstacles.empty());
 }
 
-TEST_CASE("Obstacles: sentences say gap or wall, and where nothing is narrow, that there is no proof")
+TEST_CASE("Obstacles: messages name a gap or a wall, or the missing proof if nothing is narrow")
 {
   BS::Refinement_obstacle o;
   o.point = { 1, 2, 3 };
   o.cell_width = 0.5;
-  CHECK(message(o, 10) == "No proof at 1 2 3, where cells are 5 % wide.");
+  CHECK(message(o, 10) == "The proof fails at 1 2 3, where cells are 5 % of the bounding box wide.");
   o.gap = 0.1;
   CHECK(message(o, 10)
-        == "A gap of 1 % of the box at 1 2 3, where cells are 5 % wide; they may have to be as small as 0.5 %.");
+        == "The gap at 1 2 3 is 1 % of the bounding box wide, and cells are 5 % wide; cells of 0.5 % may be needed.");
   o.is_wall = true;
   o.gap = 1;
-  CHECK(message(o, 10) == "A wall of 10 % of the box at 1 2 3, where cells are 5 % wide.");
+  CHECK(message(o, 10) == "The wall at 1 2 3 is 10 % of the bounding box thick, and cells are 5 % wide.");
 }
 } // namespace test_refinement_obstacles

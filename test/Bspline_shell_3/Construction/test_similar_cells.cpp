@@ -53,8 +53,7 @@ std::vector<Index> by_search(const Hierarchy& cells, const Ranges& ranges, const
 
 } // namespace
 
-TEST_CASE("Similar cells: those that are reached from a given one through cells of its size with fields about as "
-          "large, whatever the order")
+TEST_CASE("Similar cells: similar cells are reached through equal cells with similar fields, in any order")
 {
   CGAL::Random random(3);
   std::size_t most = 0;

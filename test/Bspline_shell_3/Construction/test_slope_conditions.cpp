@@ -63,7 +63,7 @@ const auto any_size = [](Index) { return std::numeric_limits<double>::infinity()
 } // namespace
 
 TEST_CASE(
-  "Slope conditions: a part of the slope that the narrowest vertex of a facet allows, and none at singular vertices")
+  "Slope conditions: the wanted slope is a fraction of the slope at the worst vertex, and zero at singular vertices")
 {
   for(double fraction : { 0.2, 0.5 }) {
     const std::vector<double> cube = BS::wanted_slopes<Tag>(In_cells(box(Point_3(-1, -1, -1), Point_3(1, 1, 1))).input,
@@ -91,8 +91,7 @@ TEST_CASE(
   CHECK(zero >= 6);
 }
 
-TEST_CASE("Slope conditions: in every cell with a part of the mesh, on that part, along its normal, no more than a few "
-          "in cells with many facets")
+TEST_CASE("Slope conditions: each cell has a few conditions on its part of the mesh, along the normals")
 {
   for(int subdivisions : { 0, 1, 6 }) {
     const In_cells in(sphere(subdivisions));
@@ -153,8 +152,7 @@ TEST_CASE("Slope conditions: in every cell with a part of the mesh, on that part
   CHECK(std::all_of(there.begin(), there.end(), [&](const auto& condition) { return condition.cell == c; }));
 }
 
-TEST_CASE("Slope conditions: beside a side of a box its normal is the common direction, beside an edge the middle of "
-          "two, inside a plate there is none")
+TEST_CASE("Slope conditions: the common direction is normal to a side, bisects an edge, and is absent in a plate")
 {
   const In_cells in(box(Point_3(-3, -3, -3), Point_3(3, 3, 3)));
   const auto side = in.common({ 0.1, 0.2, 3.3 }, 0.3);

@@ -19,8 +19,8 @@ typedef Hierarchy::Index Index;
 
 } // namespace
 
-TEST_CASE("Slopes at gaps: a quarter of that of a parabola across the wall, which splines on the cells attain, no "
-          "limit where the wall is no narrower")
+TEST_CASE(
+  "Slopes at gaps: the limit is a quarter of the slope of a parabola across the wall, and infinite at wide walls")
 {
   CGAL::Random random(1);
   for(double width : { 0.25, 0.5, 1. })

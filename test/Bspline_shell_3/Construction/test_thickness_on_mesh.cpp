@@ -22,7 +22,8 @@ typedef Field::Cell_index Index;
 
 } // namespace
 
-TEST_CASE("Thickness on a mesh: all of it as asked for, or narrower in the cells that a cap reaches")
+TEST_CASE(
+  "Thickness on a mesh: the largest thickness is as requested, and the narrowed area covers the cells near a cap")
 {
   const Mesh mesh = sphere(3);
   BS::Input_mesh_3 input;

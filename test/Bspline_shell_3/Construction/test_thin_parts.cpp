@@ -76,7 +76,7 @@ Mesh folded(double margin, Mesh::Vertex_index& vertex)
 
 } // namespace
 
-TEST_CASE("Thin parts: at a neck the inner threshold stays off its axis, at the ends both are as wide as asked for")
+TEST_CASE("Thin parts: at a neck, only the inner threshold is narrowed, and excludes the axis")
 {
   const double thickness = 0.1;
   for(double radius : { 0.03, 0.012 }) {
@@ -103,7 +103,7 @@ TEST_CASE("Thin parts: at a neck the inner threshold stays off its axis, at the 
   }
 }
 
-TEST_CASE("Thin parts: between two plates the middle of the gap is not in the shell, however narrow it is")
+TEST_CASE("Thin parts: the middle of a gap between two plates is not in the shell, however narrow the gap")
 {
   const double thickness = 0.06;
   double last = thickness;
@@ -129,7 +129,7 @@ TEST_CASE("Thin parts: between two plates the middle of the gap is not in the sh
   }
 }
 
-TEST_CASE("Thin parts: a plate is certified in cells that are wider than it is thick, also at its rim", "[slow]")
+TEST_CASE("Thin parts: a plate is certified on cells wider than its thickness, even at its rim", "[slow]")
 {
   const double thickness = 0.01;
   const Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, thickness));
@@ -142,7 +142,7 @@ TEST_CASE("Thin parts: a plate is certified in cells that are wider than it is t
   CHECK(is_outside(shell, Point_3(0.5, 0.5, thickness / 2)));
 }
 
-TEST_CASE("Thin parts: a threshold steeper than the field is not accepted, and the place is named", "[slow]")
+TEST_CASE("Thin parts: a threshold steeper than the field is rejected, and the place is reported", "[slow]")
 {
   const Mesh mesh = sphere(2);
   const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(0.05).resolution(60));
@@ -213,7 +213,7 @@ TEST_CASE("Thin parts: a threshold steeper than the field is not accepted, and t
   CHECK(places > 0);
 }
 
-TEST_CASE("Thin parts: a fan that is folded back ends, and where it is not certified the place is named", "[slow]")
+TEST_CASE("Thin parts: refinement at a folded fan ends, and reports the place if it is not certified", "[slow]")
 {
   for(double margin : { 0.1, 0.01 }) {
     Mesh::Vertex_index vertex;
@@ -239,7 +239,7 @@ TEST_CASE("Thin parts: a fan that is folded back ends, and where it is not certi
 }
 
 TEST_CASE(
-  "Thin parts: the number of threads does not matter where slopes are enforced, thresholds narrowed, and parts fitted")
+  "Thin parts: with enforced slopes, narrowed thresholds and partial fits, the number of threads does not matter")
 {
   const Mesh mesh = demo_mesh("triceratops.off");
   const Shell one = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(mesh),

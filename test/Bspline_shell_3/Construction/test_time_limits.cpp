@@ -101,7 +101,7 @@ bool are_equal(const Mesh& a, const Mesh& b)
 
 } // namespace
 
-TEST_CASE("Limits of time: a shell is the same with a limit that is not reached, and there is none with one that is")
+TEST_CASE("Time limit: a limit that is not reached does not change a shell, and a limit that is reached leaves none")
 {
   const Mesh mesh = wall();
   const Shell shell = CGAL::certified_bspline_shell_3(mesh);
@@ -122,7 +122,7 @@ TEST_CASE("Limits of time: a shell is the same with a limit that is not reached,
   }
 }
 
-TEST_CASE("Cancel: a shell can be canceled at any poll of any step, with nothing left of it")
+TEST_CASE("Cancellation: a shell can be canceled at any poll of any step, and is then empty")
 {
   const Mesh mesh = wall();
   Impatient_visitor visitor;
@@ -142,7 +142,7 @@ TEST_CASE("Cancel: a shell can be canceled at any poll of any step, with nothing
   CHECK(are_equal(shell, CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(mesh)));
 }
 
-TEST_CASE("Cancel: shells on equal cells, and shells that several threads build, can be canceled within a step")
+TEST_CASE("Cancellation: uniform shells, and shells built by several threads, can be canceled within a step")
 {
   const Mesh mesh = sphere(2);
   // Each step begins with a poll of the calling thread. The number of further polls depends on the other threads.
@@ -158,7 +158,7 @@ TEST_CASE("Cancel: shells on equal cells, and shells that several threads build,
   }
 }
 
-TEST_CASE("Limits of time: proxies are the same with a limit that is not reached, and there is none with one that is")
+TEST_CASE("Time limit: a limit that is not reached does not change a proxy, and a limit that is reached leaves none")
 {
   const BS::Polygon_soup soup = fan();
   const auto of_soup = [&](const auto& np) { return CGAL::certified_shell_of_soup_3(soup, np); };
@@ -180,7 +180,7 @@ TEST_CASE("Limits of time: proxies are the same with a limit that is not reached
         == Status::NOT_BUILT);
 }
 
-TEST_CASE("Cancel: a proxy can be canceled at any poll: within the wrap, its check, and its shell")
+TEST_CASE("Cancellation: a proxy can be canceled at any poll, within the wrap, its check or its shell")
 {
   const BS::Polygon_soup soup = fan();
   Impatient_visitor visitor;
@@ -201,7 +201,7 @@ TEST_CASE("Cancel: a proxy can be canceled at any poll: within the wrap, its che
   CHECK(in_wrap > 3);
 }
 
-TEST_CASE("Limits of time: an edit that is ended at any poll leaves the mesh as it was")
+TEST_CASE("Time limit: an edit that ends at any poll leaves the mesh unchanged")
 {
   const Mesh before = sphere(2);
   const Shell shell = CGAL::certified_bspline_shell_3(before, parameters::relative_thickness(0.05));

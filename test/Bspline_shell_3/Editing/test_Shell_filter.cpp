@@ -117,7 +117,7 @@ struct Refuse
 
 } // namespace
 
-TEST_CASE("Oracle: planted stars are rejected for the right reason")
+TEST_CASE("Facet oracle: invalid stars are rejected for the right reason")
 {
   REQUIRE(shell());
   const Mesh mesh = sphere(1);
@@ -137,7 +137,7 @@ TEST_CASE("Oracle: planted stars are rejected for the right reason")
   CHECK(judge(CGAL::ORIGIN + away / std::sqrt(away.squared_length()), link) == Placement_verdict::FACES_AWAY);
 }
 
-TEST_CASE("Oracle: a fan whose facets all face along the gradient, but which winds twice, is rejected")
+TEST_CASE("Facet oracle: a fan that winds twice is rejected, although each of its facets is accepted")
 {
   const Point_3 pole(0, 0, 1);
   CHECK(judge(pole, polar_link({ 0, 1, 2, 3, 4 }, 0.3)) == Placement_verdict::ACCEPTED);
@@ -149,7 +149,7 @@ TEST_CASE("Oracle: a fan whose facets all face along the gradient, but which win
   CHECK(oracle().winding_number(pole, star) == 2);
 }
 
-TEST_CASE("Oracle: facets between the thresholds, but in cells that are none of the shell's, leave the shell")
+TEST_CASE("Facet oracle: fans between the thresholds, but outside the cells of the shell, leave the shell")
 {
   // By its cells, the shell cannot extend to the lower part.
   std::vector<char> cells(shell().field().number_of_cells());
@@ -175,7 +175,7 @@ TEST_CASE("Oracle: facets between the thresholds, but in cells that are none of 
   CHECK(below > 0);
 }
 
-TEST_CASE("Oracle: the facets that touch a threshold are accepted")
+TEST_CASE("Facet oracle: facets that touch a threshold are accepted")
 {
   const Mesh mesh = sphere(1);
   const Oracle tight(tight_shell());
@@ -187,7 +187,7 @@ TEST_CASE("Oracle: the facets that touch a threshold are accepted")
 }
 
 TEST_CASE(
-  "Oracle: it accepts facets of all sizes and shapes only where the predicates prove both claims, and most of those")
+  "Facet oracle: accepted facets of any size and shape are proved, and most facets that are proved are accepted")
 {
   const BS::Field_predicates_3<Shell::Field> predicates(shell().field());
   CGAL::Random random(5);
@@ -224,7 +224,7 @@ TEST_CASE(
   CHECK(missed <= accepted / 20);
 }
 
-TEST_CASE("Filter: in an edge collapse of CGAL it keeps every facet accepted, and every fan at one turn")
+TEST_CASE("Filter: after CGAL's edge collapse, every facet is accepted, and every fan winds once")
 {
   const Mesh start = sphere(3);
   for(auto f : start.faces()) {
@@ -262,7 +262,7 @@ TEST_CASE("Filter: in an edge collapse of CGAL it keeps every facet accepted, an
   CHECK(kept == mesh.number_of_vertices());
 }
 
-TEST_CASE("Filter: it composes with other filters, and refuses what they refuse")
+TEST_CASE("Filter: a shell filter can be combined with another filter, and rejects what that filter rejects")
 {
   typedef SMS::Bounded_normal_change_filter<> Normal;
   const Mesh start = sphere(1);
@@ -278,7 +278,7 @@ TEST_CASE("Filter: it composes with other filters, and refuses what they refuse"
   CHECK(refusing.statistics().number(Placement_verdict::ACCEPTED) == 0);
 }
 
-TEST_CASE("Filter: made from a shell, it does the same as with an oracle that proves all facets")
+TEST_CASE("Filter: a filter made from a shell has the same result as a filter that proves all facets")
 {
   const Oracle all(shell(), BS::Facet_proofs::ALL);
   const Mesh start = sphere(2);
@@ -291,7 +291,7 @@ TEST_CASE("Filter: made from a shell, it does the same as with an oracle that pr
   CHECK(of_shell.statistics().by_verdict == of_oracle.statistics().by_verdict);
 }
 
-TEST_CASE("Filter: a filter that is not copied keeps the mesh in an envelope, too")
+TEST_CASE("Filter: another filter that is passed by reference keeps the mesh in an envelope, too")
 {
   const Mesh start = sphere(2);
   const double thickness = 0.05;
@@ -309,7 +309,7 @@ TEST_CASE("Filter: a filter that is not copied keeps the mesh in an envelope, to
   }
 }
 
-TEST_CASE("Filter: an open mesh keeps its border, and is certified")
+TEST_CASE("Filter: an open mesh keeps its border under edge collapse, and is certified")
 {
   Mesh start = sphere(3);
   const Mesh whole = start;

@@ -67,7 +67,7 @@ std::optional<typename Kernel::Point_3> placed(std::optional<typename Kernel::Po
 } // namespace
 
 TEMPLATE_TEST_CASE(
-  "Placement: a place in the shell is kept, another one is moved along the gradient to the edge's level", "",
+  "Placement: a point in the shell is kept, and others are moved along the gradient to the edge's level", "",
   CGAL::Exact_predicates_inexact_constructions_kernel, CGAL::Simple_cartesian<double>)
 {
   typedef typename TestType::Point_3 Point_3;
@@ -81,16 +81,14 @@ TEMPLATE_TEST_CASE(
   }
 }
 
-TEST_CASE("Placement: no place stays none, and one outside the domain is left to the filter")
+TEST_CASE("Placement: a missing placement stays missing, and a placement outside the domain is unchanged")
 {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
   CHECK_FALSE(placed<Kernel>(std::nullopt));
   CHECK(placed<Kernel>(Kernel::Point_3(0, 0, 50)) == Kernel::Point_3(0, 0, 50));
 }
 
-TEST_CASE(
-  "Placement: with CGAL's edge collapse, filter and placement lead to a coarser mesh than the filter alone, and "
-  "the result is certified")
+TEST_CASE("Placement: filter and placement together lead to a coarser certified mesh than the filter alone")
 {
   const Mesh start = sphere(3);
   const auto shell = CGAL::certified_bspline_shell_3(start, P::relative_thickness(0.02));

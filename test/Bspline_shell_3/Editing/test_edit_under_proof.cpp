@@ -78,7 +78,7 @@ Mesh::Vertex_index far(const Mesh& mesh)
 
 } // namespace
 
-TEST_CASE("With frozen facets, an edit must keep them, leave all others in the shell, and close the mesh")
+TEST_CASE("Edit under proof: an edit must keep frozen facets, leave all others in the shell, and close the mesh")
 {
   REQUIRE(shell());
   const Mesh start = dented();
@@ -108,7 +108,7 @@ TEST_CASE("With frozen facets, an edit must keep them, leave all others in the s
   CHECK(status([](Mesh& m) { CGAL::Euler::remove_face(m.halfedge(out), m); }) == Status::NOT_CERTIFIED);
 }
 
-TEST_CASE("Fans that wind twice are found before an edit, and frozen")
+TEST_CASE("Edit under proof: fans that wind twice are found before the edit, and frozen")
 {
   const Mesh folded = sliced_sphere(25, 12, 2);
   Mesh mesh = folded;
@@ -121,7 +121,7 @@ TEST_CASE("Fans that wind twice are found before an edit, and frozen")
   CHECK(frozen.frozen_facets.size() == 50);
 }
 
-TEST_CASE("Where the shell truncates the mesh, facets and vertices are those of the mesh before")
+TEST_CASE("Edit under proof: with a truncating shell, reports refer to facets and vertices of the original mesh")
 {
   const Mesh start = dented();
   const Mesh::Vertex_index tip = far(start);

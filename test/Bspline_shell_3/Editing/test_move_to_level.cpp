@@ -16,7 +16,7 @@ typedef Uniform_field::Point_3 Point_3;
 
 } // namespace
 
-TEST_CASE("Level: a point is moved along the gradient to the mean level of two others, at every scale of the field")
+TEST_CASE("Mean level: a point is moved along the gradient to the mean level of two others, at any scale of the field")
 {
   for(int exponent : { -900, -535, 0, 524, 900 }) {
     CAPTURE(exponent);
@@ -32,7 +32,7 @@ TEST_CASE("Level: a point is moved along the gradient to the mean level of two o
   }
 }
 
-TEST_CASE("Level: nothing is moved if a point is outside the domain")
+TEST_CASE("Mean level: no point is returned if one of the points is outside the domain")
 {
   const Uniform_field field = uniform_field(squared_distance);
   const Point_3 a(0.6, 0, 0), b(0, 0, -0.8), outside(0, 0, 50);
@@ -42,7 +42,7 @@ TEST_CASE("Level: nothing is moved if a point is outside the domain")
   CHECK_FALSE(internal::move_to_mean_level(field, a, a, outside));
 }
 
-TEST_CASE("Level: nothing is moved where the gradient is zero")
+TEST_CASE("Mean level: no point is returned if the gradient is zero")
 {
   const Uniform_field field = uniform_field(squared_distance);
   CHECK_FALSE(internal::move_to_mean_level(CGAL::Bspline_shells::Uniform_bspline_field_3<>(field), Point_3(0, 0, 0),

@@ -149,7 +149,8 @@ void check_result(const BS::Remeshing_report& report, const AnyShell& shell, con
     const auto c = shell.field().locate(p);
     REQUIRE(c != AnyShell::Field::npos);
     const auto g = shell.field().cell(c).first_order_jet(p).gradient;
-    if(BS::fan_winding_number(mesh, v, p + Vector_3(g[0], g[1], g[2])) != 1) ++bad_fans;
+    const auto link = BS::internal::vertex_link(mesh, v);
+    if(BS::link_winding_number(p, p + Vector_3(g[0], g[1], g[2]), link) != 1) ++bad_fans;
   }
   CHECK(bad_fans == 0);
 }
@@ -273,7 +274,7 @@ const double nan_value = std::numeric_limits<double>::quiet_NaN(), infinite = st
 
 } // namespace
 
-TEST_CASE("Remeshing: edges near the target length, good triangles, everything certified anew")
+TEST_CASE("Remeshing: edges are near the target length, triangles are well shaped, and the result is certified")
 {
   Mesh mesh = demo_mesh("eight.off");
   const auto shell = CGAL::certified_bspline_shell_3(mesh, P::relative_thickness(0.02));
@@ -303,7 +304,7 @@ TEST_CASE("Remeshing: edges near the target length, good triangles, everything c
   CHECK(quality.front() > 0.43);
 }
 
-TEST_CASE("Remeshing: needles become good triangles")
+TEST_CASE("Remeshing: needles are replaced by well-shaped triangles")
 {
   Mesh mesh = sliced_sphere(300, 12);
   REQUIRE(qualities(mesh).front() < 0.05);
@@ -316,7 +317,7 @@ TEST_CASE("Remeshing: needles become good triangles")
   CHECK(quality.front() > 0.6);
 }
 
-TEST_CASE("Remeshing: a sizing function makes one side finer")
+TEST_CASE("Remeshing: a sizing function controls the local edge length")
 {
   // A sizing function may return any type that converts to `double`.
   const auto sizing = [](const Point_3& p) { return 0.16 + 0.08 * p.x(); };
@@ -335,7 +336,7 @@ TEST_CASE("Remeshing: a sizing function makes one side finer")
   CHECK(double(report.facets) == Approx(expected).epsilon(0.1));
 }
 
-TEST_CASE("Remeshing: a sizing function that is wrong between the vertices is refused, and the mesh is as it was")
+TEST_CASE("Remeshing: a sizing function that is invalid between vertices is rejected, and the mesh is restored")
 {
   const Mesh start = sphere(2);
   const auto f = *start.faces().begin();
@@ -361,7 +362,7 @@ TEST_CASE("Remeshing: a sizing function that is wrong between the vertices is re
   }
 }
 
-TEST_CASE("Remeshing: constrained edges of a box are split and merged, and stay the same set of points")
+TEST_CASE("Remeshing: constrained edges of a box are split and merged, but cover the same points")
 {
   Mesh mesh = box({ 0, 0, 0 }, { 1, 1, 1 });
   Constraints constraints(mesh);
@@ -399,8 +400,7 @@ TEST_CASE("Remeshing: constrained edges of a box are split and merged, and stay 
   }
 }
 
-TEST_CASE(
-  "Remeshing: a constrained polyline stays one, with vertices on what it was, edges that are new are not constrained")
+TEST_CASE("Remeshing: constrained polylines stay closed and in place, and new edges are not constrained")
 {
   // The map's default value for new edges is wrong in one case; the remesher must set it.
   for(bool value_of_new : { false, true }) {
@@ -428,7 +428,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Remeshing: constrained edges that are protected stay one by one, and constrained vertices where they are")
+TEST_CASE("Remeshing: protected constrained edges and constrained vertices are unchanged")
 {
   Mesh mesh = torus(1, 0.4, 40, 20);
   Constraints constraints(mesh);
@@ -463,7 +463,7 @@ TEST_CASE("Remeshing: constrained edges that are protected stay one by one, and 
   }
 }
 
-TEST_CASE("Remeshing: vertices that move return to the mesh as it was, unless the caller does not want it")
+TEST_CASE("Remeshing: moved vertices are projected to the input mesh, unless do_project is false")
 {
   const Mesh start = sphere(3);
   typedef BS::Shell_projection_3<Shell, Mesh> Projection;
@@ -485,7 +485,7 @@ TEST_CASE("Remeshing: vertices that move return to the mesh as it was, unless th
   CHECK(shares[1] < 0.2);
 }
 
-TEST_CASE("Remeshing: every vertex knows into which one it was collapsed")
+TEST_CASE("Remeshing: the image of each vertex is the vertex into which it was collapsed")
 {
   // Needles are collapsed and long edges are split, so removed elements are reused.
   const Mesh start = sliced_sphere(300, 12);
@@ -517,7 +517,7 @@ TEST_CASE("Remeshing: every vertex knows into which one it was collapsed")
   for(auto v : start.vertices()) CHECK(flipped.images[v.idx()] == v);
 }
 
-TEST_CASE("Remeshing: constrained vertices are their own images, in a Polyhedron_3 as well")
+TEST_CASE("Remeshing: constrained vertices are their own images, even in a Polyhedron_3")
 {
   typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
   typedef boost::graph_traits<Polyhedron>::vertex_descriptor Vertex;
@@ -537,7 +537,8 @@ TEST_CASE("Remeshing: constrained vertices are their own images, in a Polyhedron
   CHECK(std::includes(of_result.begin(), of_result.end(), images.begin(), images.end()));
 }
 
-TEST_CASE("Remeshing: on request vertices are located on the result as the map between both meshes locates them")
+TEST_CASE(
+  "Remeshing: on request, the result has a location of each vertex that agrees with the map between both meshes")
 {
   const Mesh start = sphere(3);
   Mesh mesh = start;
@@ -554,7 +555,7 @@ TEST_CASE("Remeshing: on request vertices are located on the result as the map b
   CHECK(remesh(mesh, 0.3, sphere_shell(), P::locate_vertices(false)).locations.empty());
 }
 
-TEST_CASE("Remeshing: one thread and several give the same mesh")
+TEST_CASE("Remeshing: one thread and several yield the same mesh")
 {
   Mesh mesh = torus(1, 0.4, 40, 20), parallel = mesh;
   check_result(remesh(mesh, 0.2, torus_shell()), torus_shell(), mesh);
@@ -587,7 +588,7 @@ struct Recording_oracle
 
 } // namespace
 
-TEST_CASE("Remeshing: of vertices that are moved at the same time, none is in the star of another")
+TEST_CASE("Remeshing: no vertex is in the star of another one that is moved at the same time")
 {
   Mesh mesh = torus(1, 0.4, 24, 12);
   const Mesh before = mesh;
@@ -620,7 +621,7 @@ TEST_CASE("Remeshing: of vertices that are moved at the same time, none is in th
   CHECK(is_equal(replayed, mesh));
 }
 
-TEST_CASE("Remeshing: of a Polyhedron_3, wherever its elements are in memory")
+TEST_CASE("Remeshing: the result for a Polyhedron_3 does not depend on the addresses of its elements")
 {
   typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
   const Mesh start = torus(1, 0.4, 40, 20);
@@ -650,7 +651,7 @@ TEST_CASE("Remeshing: of a Polyhedron_3, wherever its elements are in memory")
   CHECK(median(qualities(of_one)) == Approx(median(qualities(of_mesh))).epsilon(0.03));
 }
 
-TEST_CASE("Remeshing: points may be where the caller keeps them, and be computed when they are asked for")
+TEST_CASE("Remeshing: a user-defined map may store points elsewhere, or compute them on access")
 {
   Mesh mesh = torus(1, 0.4, 40, 20), other = mesh;
   Computed_points points;
@@ -666,7 +667,7 @@ TEST_CASE("Remeshing: points may be where the caller keeps them, and be computed
   CHECK(is_equal(mesh, other));
 }
 
-TEST_CASE("Remeshing: without iterations edges are flipped, and nothing else")
+TEST_CASE("Remeshing: without iterations, edges are flipped, and nothing else changes")
 {
   const Mesh start = sliced_sphere(40, 12);
   Mesh mesh = start;
@@ -679,7 +680,7 @@ TEST_CASE("Remeshing: without iterations edges are flipped, and nothing else")
   CHECK(qualities(mesh).front() >= qualities(start).front());
 }
 
-TEST_CASE("Remeshing: a visitor is told of each iteration, what was done until it ends the edit is certified and kept")
+TEST_CASE("Remeshing: the visitor is called in each iteration, and an edit that it ends is certified and kept")
 {
   struct Visitor
   {
@@ -698,12 +699,12 @@ TEST_CASE("Remeshing: a visitor is told of each iteration, what was done until i
   };
   Mesh mesh = before;
   Visitor visitor;
-  SECTION("all iterations")
+  SECTION("the visitor permits all iterations")
   {
     REQUIRE(remesh(mesh, visitor));
     CHECK(visitor.iterations == 2);
   }
-  SECTION("one of them")
+  SECTION("the visitor permits one iteration")
   {
     visitor.most_iterations = 2;
     const auto result = remesh(mesh, visitor);
@@ -715,7 +716,7 @@ TEST_CASE("Remeshing: a visitor is told of each iteration, what was done until i
     REQUIRE(BS::remesh_in_shell(once, 0.2, sphere_shell(), CGAL::parameters::number_of_iterations(1)));
     CHECK(once.number_of_vertices() == mesh.number_of_vertices());
   }
-  SECTION("some operations of the first")
+  SECTION("the visitor permits some operations of the first iteration")
   {
     visitor.most_operations = 200;
     const auto result = remesh(mesh, visitor);
@@ -724,7 +725,7 @@ TEST_CASE("Remeshing: a visitor is told of each iteration, what was done until i
     CHECK(visitor.iterations == 1);
     CHECK(visitor.operations == visitor.most_operations + 1);
   }
-  SECTION("none")
+  SECTION("the visitor permits no operation")
   {
     visitor.most_operations = 0;
     const auto result = remesh(mesh, visitor);
@@ -733,13 +734,13 @@ TEST_CASE("Remeshing: a visitor is told of each iteration, what was done until i
   }
 }
 
-TEST_CASE("Remeshing: if all edges have about the length asked for, the report says so")
+TEST_CASE("Remeshing: if all edges are near the target length, the report states this")
 {
   Mesh mesh = sphere(2); // edges of length 0.28 to 0.32
   CHECK(remesh(mesh, 0.3, sphere_shell(), P::number_of_iterations(0)).end == BS::Edit_termination::TARGET);
 }
 
-TEST_CASE("Remeshing: in a shell as thin as it can be, most collapses are refused, and nothing breaks")
+TEST_CASE("Remeshing: in an extremely thin shell, most collapses are rejected, and the result is certified")
 {
   // The thresholds are the least and the greatest value of the field on the mesh.
   const Shell shell = widened(tight_sphere_shell(), 1e-9);
@@ -753,7 +754,7 @@ TEST_CASE("Remeshing: in a shell as thin as it can be, most collapses are refuse
   }
 }
 
-TEST_CASE("Remeshing: edges of length zero vanish")
+TEST_CASE("Remeshing: edges of length zero are removed")
 {
   Mesh mesh = sphere(2);
   const auto h = *mesh.halfedges().begin();
@@ -771,7 +772,7 @@ TEST_CASE("Remeshing: edges of length zero vanish")
   CHECK(is_equal(mesh, start));
 }
 
-TEST_CASE("Remeshing: what cannot be remeshed is refused with a reason, and stays as it is")
+TEST_CASE("Remeshing: invalid input is rejected with a status, and left unchanged")
 {
   const auto refused = [](Mesh mesh, const Shell& shell, double target) {
     const Mesh before = mesh;
@@ -828,7 +829,7 @@ TEST_CASE("Remeshing: what cannot be remeshed is refused with a reason, and stay
   CHECK(reversed.offending_simplices.facets.size() == mesh.number_of_faces());
 }
 
-TEST_CASE("Remeshing: on request facets that are not in the shell are frozen, and the others remeshed")
+TEST_CASE("Remeshing: on request, facets outside the shell are frozen, and the others are remeshed")
 {
   Mesh start = sphere(3);
   const Vector_3 out = start.point(Mesh::Vertex_index(7)) - CGAL::ORIGIN;
@@ -863,7 +864,7 @@ TEST_CASE("Remeshing: on request facets that are not in the shell are frozen, an
   }
 }
 
-TEST_CASE("Remeshing: on request facets at a vertex are frozen that are all in the shell, but wind twice")
+TEST_CASE("Remeshing: on request, fans that wind twice are frozen, even if all their facets are in the shell")
 {
   const int slices = 25;
   const Mesh start = sliced_sphere(slices, 12, 2);
@@ -885,7 +886,7 @@ TEST_CASE("Remeshing: on request facets at a vertex are frozen that are all in t
   CHECK(result.certificate.verdict(BS::Claim::DEGREE_ONE) != BS::Verdict::PROVED);
 }
 
-TEST_CASE("Remeshing: that facets may be frozen changes nothing where none is rejected, or all are")
+TEST_CASE("Remeshing: freezing changes nothing if no facet is rejected, or if all are")
 {
   Mesh mesh = sphere(2), other = mesh;
   REQUIRE(remesh(mesh, 0.2, sphere_shell()));
@@ -902,7 +903,7 @@ TEST_CASE("Remeshing: that facets may be frozen changes nothing where none is re
   CHECK(is_equal(mesh, reversed));
 }
 
-TEST_CASE("Remeshing: a length that asks for more memory than allowed is refused before anything is done")
+TEST_CASE("Remeshing: a length that would exceed the memory limit is rejected before any change")
 {
   const Mesh start = sphere(2);
   Mesh mesh = start;
@@ -925,7 +926,7 @@ TEST_CASE("Remeshing: a length that asks for more memory than allowed is refused
   CHECK(is_equal(fine, sphere(4)));
 }
 
-TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all that the caller attached to it")
+TEST_CASE("Remeshing: without a certificate, the mesh and all properties that the caller attached to it are restored")
 {
   // Two spheres are in one shell: each facet is accepted, but the mesh covers the shell twice.
   Mesh mesh = sphere(2);
@@ -989,7 +990,7 @@ TEST_CASE("Remeshing: without a certificate the mesh is what it was, with all th
   for(auto v : mesh.vertices()) CHECK(get(points, v) == before.point(v));
 }
 
-TEST_CASE("Remeshing: without success a map of constrained edges says what it said, wherever it keeps that")
+TEST_CASE("Remeshing: after a failure, a map of constrained edges is restored, wherever it stores its values")
 {
   const Mesh start = torus(1, 0.4, 40, 20);
   const auto is_chosen = [](const Point_3& p, const Point_3& q) { return p.z() == 0 && q.z() == 0; };

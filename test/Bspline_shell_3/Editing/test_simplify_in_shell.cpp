@@ -183,7 +183,7 @@ struct Noting_filter
 
 } // namespace
 
-TEST_CASE("Simplification: the result is certified, as coarse as asked for, and every vertex knows where it went")
+TEST_CASE("Simplification: the result is certified, has the requested size, and reports the image of each vertex")
 {
   REQUIRE(sphere_shell());
   const Mesh start = sphere(3);
@@ -208,7 +208,8 @@ TEST_CASE("Simplification: the result is certified, as coarse as asked for, and 
   CHECK(images.size() == mesh.number_of_vertices());
 }
 
-TEST_CASE("Simplification: on request vertices are located on the result as the map between both meshes locates them")
+TEST_CASE(
+  "Simplification: on request, the result has a location of each vertex that agrees with the map between both meshes")
 {
   const Mesh start = sphere(3);
   Mesh mesh = start;
@@ -224,7 +225,8 @@ TEST_CASE("Simplification: on request vertices are located on the result as the 
   }
 }
 
-TEST_CASE("Simplification: without a stop it ends where every collapse is refused, a second time does nothing")
+TEST_CASE(
+  "Simplification: by default, simplification ends when every collapse is rejected, and a second run does nothing")
 {
   Mesh mesh = torus(1, 0.4, 40, 20);
   const auto result = simplify(mesh, torus_shell(), CGAL::parameters::default_values());
@@ -243,7 +245,7 @@ TEST_CASE("Simplification: without a stop it ends where every collapse is refuse
   }
 }
 
-TEST_CASE("Simplification: an edit that is not certified is done again with all proofs, where nobody sees that")
+TEST_CASE("Simplification: an edit that is not certified is repeated with all proofs if this is unobservable")
 {
   const Mesh start = sphere(2);
   const auto edited = [](auto& mesh, bool may_repeat, int failures, auto& result,
@@ -291,7 +293,7 @@ TEST_CASE("Simplification: an edit that is not certified is done again with all 
   CHECK(proofs == Proofs{ all });
 }
 
-TEST_CASE("Simplification: an edit that is done again finds constrained edges as they were, and leaves them as it says")
+TEST_CASE("Simplification: a repeated edit starts from the original constrained edges, and its own results are kept")
 {
   Mesh mesh = sphere(2);
   const Mesh start = mesh;
@@ -322,8 +324,7 @@ TEST_CASE("Simplification: an edit that is done again finds constrained edges as
   CHECK(constrained == expected);
 }
 
-TEST_CASE(
-  "Simplification: what is done again is what would have been done at once, also with policies that have a state")
+TEST_CASE("Simplification: a repeated edit has the result of an edit with all proofs, even with stateful policies")
 {
   // Two spheres are in one shell: each facet is accepted, but the mesh covers the shell twice.
   Mesh mesh = sphere(2);
@@ -346,7 +347,7 @@ TEST_CASE(
   CHECK(repeated.placements.by_verdict == once.placements.by_verdict);
 }
 
-TEST_CASE("Simplification: what fails because of the shell is not done again")
+TEST_CASE("Simplification: an edit that fails because of the shell is not repeated")
 {
   // The shell is the whole ball, with its critical point.
   Mesh mesh = sphere(2);
@@ -359,7 +360,7 @@ TEST_CASE("Simplification: what fails because of the shell is not done again")
   CHECK(is_equal(mesh, start));
 }
 
-TEST_CASE("Simplification: it finds the same with estimates as with all proofs")
+TEST_CASE("Simplification: estimates and full proofs yield the same mesh")
 {
   // A visitor observes the edits, so everything is proved.
   Mesh estimated = torus(1, 0.4, 40, 20), proved = estimated;
@@ -371,7 +372,7 @@ TEST_CASE("Simplification: it finds the same with estimates as with all proofs")
   CHECK(is_equal(estimated, proved));
 }
 
-TEST_CASE("Simplification: nothing changes when every collapse is refused")
+TEST_CASE("Simplification: nothing changes if every collapse is rejected")
 {
   const Mesh start = sphere(2);
   Mesh mesh = start;
@@ -386,7 +387,7 @@ TEST_CASE("Simplification: nothing changes when every collapse is refused")
   for(std::size_t n = 0; n < result.images.size(); ++n) CHECK(std::size_t(result.images[n]) == n);
 }
 
-TEST_CASE("Simplification: it reports who ended it: the predicate, the shell, a filter, or the mesh itself")
+TEST_CASE("Simplification: the report states whether the predicate, the shell, a filter or the mesh ended the edit")
 {
   using BS::Edit_termination;
   const auto end = [](const auto& np, const Shell& shell) {
@@ -411,7 +412,7 @@ TEST_CASE("Simplification: it reports who ended it: the predicate, the shell, a 
   CHECK(end(CGAL::parameters::default_values(), Shell()) == Edit_termination::NOT_EDITED);
 }
 
-TEST_CASE("Simplification: an exception of the caller's leaves the mesh as it was")
+TEST_CASE("Simplification: an exception in the caller's code leaves the mesh unchanged")
 {
   const Mesh start = sphere(2);
   Mesh mesh = start;
@@ -423,7 +424,7 @@ TEST_CASE("Simplification: an exception of the caller's leaves the mesh as it wa
   CHECK(is_equal(mesh, start));
 }
 
-TEST_CASE("Simplification: visitor and filter of the caller are called in the documented order")
+TEST_CASE("Simplification: the caller's visitor and filter are called in the documented order")
 {
   Mesh mesh = sphere(2);
   Counting_visitor visitor;
@@ -464,7 +465,7 @@ struct Far_from_points
 };
 } // namespace
 
-TEST_CASE("Simplification: a filter that is passed by value is copied")
+TEST_CASE("Simplification: a filter may be passed by value or by reference")
 {
   const Mesh start = sphere(2);
   Mesh by_value = start, by_reference = start;
@@ -475,7 +476,7 @@ TEST_CASE("Simplification: a filter that is passed by value is copied")
   CHECK(by_value.number_of_faces() == by_reference.number_of_faces());
 }
 
-TEST_CASE("Simplification: edges that are constrained stay, with their vertices")
+TEST_CASE("Simplification: constrained edges and their vertices are kept")
 {
   Mesh mesh = torus(1, 0.4, 40, 20);
   auto constrained = mesh.add_property_map<Mesh::Edge_index, bool>("e:constrained", false).first;
@@ -498,7 +499,7 @@ TEST_CASE("Simplification: edges that are constrained stay, with their vertices"
   }
 }
 
-TEST_CASE("Simplification: constrained edges that are not protected are merged along straight lines, which stay")
+TEST_CASE("Simplification: constrained edges that are not protected are merged along straight lines, which are kept")
 {
   const Mesh start = fine_box();
   const auto is_on_line = [](const Point_3& p, const Point_3& q) { return is_at_edge_of_box(CGAL::midpoint(p, q)); };
@@ -528,7 +529,7 @@ TEST_CASE("Simplification: constrained edges that are not protected are merged a
   }
 }
 
-TEST_CASE("Simplification: ends of constrained polylines stay, and vertices where more than two edges meet")
+TEST_CASE("Simplification: ends and junctions of constrained polylines are kept")
 {
   // The constrained edges form a cross in the side z = 1, of four arms with three edges each.
   Mesh mesh = fine_box();
@@ -557,7 +558,7 @@ TEST_CASE("Simplification: ends of constrained polylines stay, and vertices wher
     CHECK(ends.count(p) == 1);
 }
 
-TEST_CASE("Simplification: a closed constrained polyline stays one, with vertices that it had")
+TEST_CASE("Simplification: a closed constrained polyline stays closed, with some of its vertices")
 {
   Mesh mesh = torus(1, 0.4, 40, 20);
   const auto is_on_equator = [](const Point_3& p, const Point_3& q) {
@@ -597,7 +598,7 @@ TEST_CASE("Simplification: a closed constrained polyline stays one, with vertice
   for(const auto& v : number) CHECK(v.second == 2);
 }
 
-TEST_CASE("Simplification: without success a map of constrained edges says what it said")
+TEST_CASE("Simplification: after a failure, a map of constrained edges is restored")
 {
   // A constrained edge of length zero is never collapsed, so there is no certificate.
   Mesh mesh = fine_box();
@@ -643,7 +644,7 @@ TEST_CASE("Simplification: edges of length zero are collapsed, and the result is
   CHECK(is_certified(sphere_shell(), mesh));
 }
 
-TEST_CASE("Simplification: on request facets that are not in the shell are frozen, and the others simplified")
+TEST_CASE("Simplification: on request, facets outside the shell are frozen, and the others are simplified")
 {
   Mesh start = sphere(3);
   start.point(Mesh::Vertex_index(7)) = CGAL::ORIGIN;
@@ -676,7 +677,7 @@ TEST_CASE("Simplification: on request facets that are not in the shell are froze
   CHECK(is_equal(one, other));
 }
 
-TEST_CASE("Simplification: edges of length zero vanish beside frozen facets, and are frozen at them")
+TEST_CASE("Simplification: edges of length zero are removed away from frozen facets, and frozen at them")
 {
   // Splits a vertex into two at the same place, with two facets of area zero between them.
   const auto add_zero_edge = [](Mesh& mesh, Mesh::Vertex_index v) {
@@ -704,7 +705,7 @@ TEST_CASE("Simplification: edges of length zero vanish beside frozen facets, and
   CHECK(result.frozen_facets.size() > result.offending_simplices.facets.size());
 }
 
-TEST_CASE("Simplification: what cannot be simplified is refused with a reason, and stays as it is")
+TEST_CASE("Simplification: invalid input is rejected with a status, and left unchanged")
 {
   const auto refused = [](Mesh mesh, const Shell& shell) {
     const Mesh before = mesh;
@@ -743,7 +744,7 @@ TEST_CASE("Simplification: what cannot be simplified is refused with a reason, a
   CHECK(twice.certificate.verdict(BS::Claim::ONE_SHEET) != BS::Verdict::PROVED);
 }
 
-TEST_CASE("Simplification: of a Polyhedron_3, with other costs, and with a stop that cancels")
+TEST_CASE("Simplification: a Polyhedron_3 is simplified with other costs, until a stop predicate cancels")
 {
   typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
   Polyhedron mesh;
@@ -763,7 +764,7 @@ TEST_CASE("Simplification: of a Polyhedron_3, with other costs, and with a stop 
   CHECK(result.images.size() == vertices);
 }
 
-TEST_CASE("Simplification and remeshing: of a mesh of another kernel with double coordinates, the same result")
+TEST_CASE("Simplification and remeshing: a mesh of another kernel with double coordinates gets the same result")
 {
   typedef CGAL::Simple_cartesian<double> Other_kernel;
   typedef CGAL::Surface_mesh<Other_kernel::Point_3> Other_mesh;

@@ -201,7 +201,7 @@ std::array<double, 64> local_coefficients(const Field& field, const Eigen::Vecto
 } // namespace
 
 TEST_CASE(
-  "hierarchical fields: every level has the functions that act on its leaves, free are those that act on no larger one")
+  "Hierarchical field: each level has the functions acting on its leaves, free unless they act on a larger leaf")
 {
   for(unsigned seed = 1; seed <= 3; ++seed) {
     CGAL::Random random(seed);
@@ -253,7 +253,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("hierarchical fields: around a leaf that is refined, all functions of the next level are there")
+TEST_CASE("Hierarchical field: around a refined leaf, all functions of the next level exist")
 {
   CGAL::Random random(4);
   for(int levels = 1; levels <= 2; ++levels) {
@@ -279,7 +279,7 @@ TEST_CASE("hierarchical fields: around a leaf that is refined, all functions of 
   }
 }
 
-TEST_CASE("hierarchical fields: value, gradient and Hessian are those of the definition")
+TEST_CASE("Hierarchical field: value, gradient and Hessian agree with the definition")
 {
   CGAL::Random random(5);
   Field field(some_cells_of_three_sizes(random));
@@ -313,8 +313,7 @@ TEST_CASE("hierarchical fields: value, gradient and Hessian are those of the def
   CHECK_FALSE(field.hessian(Point(std::numeric_limits<double>::quiet_NaN(), 0, 0)));
 }
 
-TEST_CASE(
-  "hierarchical fields: the functions sum to one, and make all polynomials of degree three along each axis, exactly")
+TEST_CASE("Hierarchical field: the functions sum to one, and reproduce tricubic polynomials exactly")
 {
   CGAL::Random random(6);
   Field field(some_cells_of_three_sizes(random));
@@ -361,7 +360,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("hierarchical fields: leaves of any size agree on their common faces in value, gradient and Hessian, exactly")
+TEST_CASE("Hierarchical field: adjacent leaves agree exactly on their common face in value, gradient and Hessian")
 {
   CGAL::Random random(7);
   Field field(some_cells_of_three_sizes(random, 0.9));
@@ -424,7 +423,7 @@ TEST_CASE("hierarchical fields: leaves of any size agree on their common faces i
   CHECK(differ_in_third > equal / 2);
 }
 
-TEST_CASE("hierarchical fields: their functions are linearly independent")
+TEST_CASE("Hierarchical field: the functions are linearly independent")
 {
   CGAL::Random random(8);
   const Field field(random_hierarchy(random, some_cells(random, lattice, { -4, 0, 0 }, { 5, 0, 0 }), 3));
@@ -454,7 +453,7 @@ TEST_CASE("hierarchical fields: their functions are linearly independent")
   CHECK(spectrum[0] > 1e-8 * spectrum[size - 1]);
 }
 
-TEST_CASE("hierarchical fields: a field is one on finer cells as well")
+TEST_CASE("Hierarchical field: a field can be represented exactly on finer cells")
 {
   for(unsigned seed = 11; seed <= 13; ++seed) {
     CGAL::Random random(seed);
@@ -507,8 +506,7 @@ TEST_CASE("hierarchical fields: a field is one on finer cells as well")
   }
 }
 
-TEST_CASE(
-  "hierarchical fields: the error radius bounds how far Bernstein coefficients are from the spline's, and is not idle")
+TEST_CASE("Hierarchical field: the error radius bounds the rounding of Bernstein coefficients, and is not excessive")
 {
   CGAL::Random random(14);
   Field field(some_cells_of_three_sizes(random));
@@ -554,8 +552,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("hierarchical fields: the error radius is that of large coefficients, also where dependent ones are small "
-          "averages of these")
+TEST_CASE("Hierarchical field: the error radius accounts for large coefficients whose averages are small")
 {
   // The coefficients of the largest cells have checkerboard signs. Averages of equally many of each sign nearly vanish,
   // up to rounding.
@@ -583,7 +580,7 @@ TEST_CASE("hierarchical fields: the error radius is that of large coefficients, 
   CHECK(beyond == 0);
 }
 
-TEST_CASE("hierarchical fields: collect is the transposed of extend")
+TEST_CASE("Hierarchical field: collect() is the transpose of extend()")
 {
   CGAL::Random random(15);
   const Field field(some_cells_of_three_sizes(random));
@@ -607,7 +604,7 @@ TEST_CASE("hierarchical fields: collect is the transposed of extend")
   CHECK(wrong == 0);
 }
 
-TEST_CASE("hierarchical fields: where a coefficient is no number nothing is claimed, and elsewhere as before")
+TEST_CASE("Hierarchical field: a coefficient that is not finite leaves cells unknown where it acts, and nowhere else")
 {
   CGAL::Random random(16);
   Field field(some_cells_of_three_sizes(random));
@@ -640,7 +637,7 @@ TEST_CASE("hierarchical fields: where a coefficient is no number nothing is clai
     }
 }
 
-TEST_CASE("hierarchical fields: without splits they are uniform fields, bit for bit")
+TEST_CASE("Hierarchical field: without splits, a hierarchical field equals a uniform field, bit for bit")
 {
   CGAL::Random random(17);
   const Root_cells roots = some_cells(random, lattice, { -4, -3, -2 }, { 3, 2, 1 }, 0.6);
@@ -675,7 +672,7 @@ TEST_CASE("hierarchical fields: without splits they are uniform fields, bit for 
   CHECK(different == 0);
 }
 
-TEST_CASE("hierarchical fields: a parallel change of coefficients gives the same leaves, bit for bit")
+TEST_CASE("Hierarchical field: setting coefficients in parallel yields the same leaves, bit for bit")
 {
   CGAL::Random random(18);
   Field sequential(some_cells_of_three_sizes(random));

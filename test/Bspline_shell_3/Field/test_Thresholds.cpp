@@ -19,8 +19,7 @@ typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef Field::Cell_index Index;
 typedef CGAL::Exact_rational Rational;
 
-TEST_CASE(
-  "Spline thresholds: a cell is constant where all of its coefficients are, and is enclosed and evaluated either way")
+TEST_CASE("Spline thresholds: a cell is constant if and only if its coefficients are, with correct range and values")
 {
   CGAL::Random random(3);
   const Hierarchy cells = random_hierarchy(

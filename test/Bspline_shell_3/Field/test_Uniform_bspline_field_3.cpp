@@ -78,7 +78,7 @@ std::array<int, 3> derivative(int a, int b)
 
 } // namespace
 
-TEST_CASE("fields: their functions are all those that do not vanish on all cells")
+TEST_CASE("Uniform field: the functions are exactly those that act on some cell")
 {
   CGAL::Random random(1);
   const Field field(sparse_cells(random, -2, 2, 0.3));
@@ -96,8 +96,7 @@ TEST_CASE("fields: their functions are all those that do not vanish on all cells
   CHECK(*field.value(point_in_cell(field, 0, 0.5, 0.5, 0.5)) == 0);
 }
 
-TEST_CASE(
-  "fields: the sum of all x^a y^b z^c with a, b, c up to three is reproduced, with first and second derivatives")
+TEST_CASE("Uniform field: tricubic polynomials are reproduced, with first and second derivatives")
 {
   CGAL::Random random(2);
   Field field(sparse_cells(random, -2, 2, 0.6));
@@ -147,7 +146,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("fields: value, gradient and Hessian are those of Eq. 3.3")
+TEST_CASE("Uniform field: value, gradient and Hessian agree with Eq. 3.3")
 {
   CGAL::Random random(3);
   Field field(sparse_cells(random, -2, 2, 0.4));
@@ -168,7 +167,7 @@ TEST_CASE("fields: value, gradient and Hessian are those of Eq. 3.3")
   }
 }
 
-TEST_CASE("fields: derivatives are the limits of difference quotients")
+TEST_CASE("Uniform field: derivatives agree with difference quotients")
 {
   CGAL::Random random(4);
   Field field(sparse_cells(random, -1, 1, 1));
@@ -189,7 +188,7 @@ TEST_CASE("fields: derivatives are the limits of difference quotients")
   }
 }
 
-TEST_CASE("fields: cells on both sides of a face agree on it in value, gradient and Hessian")
+TEST_CASE("Uniform field: adjacent cells agree on their common face in value, gradient and Hessian")
 {
   CGAL::Random random(5);
   Field field(sparse_cells(random, -1, 2, 0.5));
@@ -233,7 +232,7 @@ TEST_CASE("fields: cells on both sides of a face agree on it in value, gradient 
   CHECK(faces > 20);
 }
 
-TEST_CASE("fields: the error radius bounds how far a cell's Bernstein coefficients are from the spline")
+TEST_CASE("Uniform field: the error radius bounds the rounding of a cell's Bernstein coefficients")
 {
   CGAL::Random random(6);
   Field field(sparse_cells(random, -1, 1, 0.7));
@@ -270,7 +269,7 @@ TEST_CASE("fields: the error radius bounds how far a cell's Bernstein coefficien
   }
 }
 
-TEST_CASE("fields: nothing is claimed of coefficients so large that sums of multiples of them are not finite")
+TEST_CASE("Uniform field: a cell is unknown if sums of multiples of its coefficients overflow")
 {
   CGAL::Random random(7);
   Field field(sparse_cells(random, -1, 1, 0.7));
@@ -294,7 +293,7 @@ TEST_CASE("fields: nothing is claimed of coefficients so large that sums of mult
   }
 }
 
-TEST_CASE("fields: a cell's polynomial is within the error radius of Eq. 3.3, evaluated exactly")
+TEST_CASE("Uniform field: a cell's polynomial is within the error radius of Eq. 3.3, evaluated exactly")
 {
   CGAL::Random random(7);
   Field field(sparse_cells(random, -1, 1, 0.7));
@@ -318,7 +317,7 @@ TEST_CASE("fields: a cell's polynomial is within the error radius of Eq. 3.3, ev
   }
 }
 
-TEST_CASE("fields: there is no value outside the cells")
+TEST_CASE("Uniform field: there is no value outside the cells")
 {
   CGAL::Random random(8);
   Field field(sparse_cells(random, -1, 1, 1));
@@ -338,7 +337,7 @@ TEST_CASE("fields: there is no value outside the cells")
   CHECK_FALSE(Field().value(corner));
 }
 
-TEST_CASE("fields: a parallel change of coefficients gives the same cells, bit for bit")
+TEST_CASE("Uniform field: setting coefficients in parallel yields the same cells, bit for bit")
 {
   CGAL::Random random(9);
   Field sequential(sparse_cells(random, -5, 5, 0.8)); // enough for several chunks

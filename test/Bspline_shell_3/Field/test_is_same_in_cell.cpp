@@ -15,8 +15,7 @@ namespace BS = CGAL::Bspline_shells;
 typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef Field::Cell_index Index;
 
-TEST_CASE(
-  "Same in a cell: all cells but those on which a coefficient acts that is another one, be it by a rounding error")
+TEST_CASE("Same in a cell: fields differ exactly in the cells on which a changed coefficient acts")
 {
   CGAL::Random random(1);
   const Hierarchy cells = random_hierarchy(

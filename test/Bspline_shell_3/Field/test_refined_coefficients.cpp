@@ -38,8 +38,7 @@ Hierarchy finer(CGAL::Random& random, const Hierarchy& cells, int times)
 
 } // namespace
 
-TEST_CASE(
-  "Refined coefficients: the function is the same everywhere, and the very same where no cell near it was split")
+TEST_CASE("Refined coefficients: the function is unchanged, and exactly so where no nearby cell was split")
 {
   CGAL::Random random(5);
   std::size_t same_leaves = 0, split_leaves = 0;
@@ -79,7 +78,7 @@ TEST_CASE(
   CHECK(split_leaves > 100);
 }
 
-TEST_CASE("Refined coefficients: on the same cells, they are what they were")
+TEST_CASE("Refined coefficients: on the same cells, the coefficients are unchanged")
 {
   CGAL::Random random(6);
   const Field field(random_hierarchy(random, some_cells(random, lattice, { -2, -2, -2 }, { 2, 2, 2 }), 3));

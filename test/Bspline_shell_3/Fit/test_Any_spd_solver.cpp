@@ -63,7 +63,7 @@ Solver_status status_of(Solver& solver, bool is_checked = true, double scale = 1
 
 } // namespace
 
-TEST_CASE("SPD solvers: solutions up to a tenth of the right-hand side are accepted, at any scale")
+TEST_CASE("SPD solvers: residuals up to a tenth of the right-hand side are accepted, at any scale")
 {
   Solver solver;
   for(double scale : { 1e-100, 1., 1e100 }) {
@@ -76,7 +76,7 @@ TEST_CASE("SPD solvers: solutions up to a tenth of the right-hand side are accep
   }
 }
 
-TEST_CASE("SPD solvers: zeros, numbers that are not a solution, and vectors of another size are noticed")
+TEST_CASE("SPD solvers: wrong solutions, values that are not finite, and vectors of the wrong size are detected")
 {
   Solver solver;
   for(double value : { 0., 1., -1e9 }) {
@@ -100,7 +100,7 @@ TEST_CASE("SPD solvers: zeros, numbers that are not a solution, and vectors of a
   CHECK(status_of(solver) == Solver_status::NOT_CONVERGED);
 }
 
-TEST_CASE("SPD solvers: those that measure their residuals are not checked")
+TEST_CASE("SPD solvers: solvers that measure their own residuals are not checked")
 {
   Solver solver;
   solver.change = [](const Vector& x) { return Vector(2 * x); };

@@ -87,7 +87,7 @@ Eigen::MatrixXd symmetric(const Eigen::SparseMatrix<double>& lower)
 
 } // namespace
 
-TEST_CASE("Weights of the terms are the paper's, in cell units")
+TEST_CASE("Fit energy: the weights of the terms agree with the paper, in cell units")
 {
   Energy_weights weights;
   weights.mu = 0.25;
@@ -123,7 +123,7 @@ TEST_CASE("Weights of the terms are the paper's, in cell units")
   CHECK(invalid() == "energy_weights.coefficients");
 }
 
-TEST_CASE("E_SDF is the sum of squared differences at the samples")
+TEST_CASE("Fit energy: E_SDF is the sum of squared differences at the samples")
 {
   const Fit_problem& problem = cube_problem();
   const Energy energy = problem.energy();
@@ -140,7 +140,7 @@ TEST_CASE("E_SDF is the sum of squared differences at the samples")
   CHECK(energy.value(Term::DISTANCE, x) == Approx(sum).epsilon(1e-12));
 }
 
-TEST_CASE("E_surface is the integral of the squared value over the facets")
+TEST_CASE("Fit energy: E_surface is the integral of the squared value over the facets")
 {
   const Fit_problem& problem = cube_problem();
   const Energy energy = problem.energy(all_terms_weighted());
@@ -159,7 +159,7 @@ TEST_CASE("E_surface is the integral of the squared value over the facets")
   CHECK(energy.value(x) == Approx(sum).epsilon(1e-14));
 }
 
-TEST_CASE("E_surface counts more in cells with larger factors, and nothing else does")
+TEST_CASE("Fit energy: surface factors scale E_surface in their cells, and no other term")
 {
   const Fit_problem& problem = cube_problem();
   Energy energy = problem.energy(all_terms_weighted());
@@ -176,7 +176,7 @@ TEST_CASE("E_surface counts more in cells with larger factors, and nothing else 
   CHECK(energy.value(x) == Approx(2 * all + others).epsilon(1e-12));
 }
 
-TEST_CASE("E_angle and E_normal of linear and quadratic functions on a cube are what one computes by hand")
+TEST_CASE("Fit energy: E_angle and E_normal of linear and quadratic functions on a cube agree with closed forms")
 {
   const Fit_problem& problem = cube_problem();
   const Energy energy = problem.energy();
@@ -200,7 +200,7 @@ TEST_CASE("E_angle and E_normal of linear and quadratic functions on a cube are 
   CHECK(energy.value(Term::NORMAL, quadratic / half) < 1e-20 * mu_zeta * side);
 }
 
-TEST_CASE("E_singularH is the integral of |det H| over the cells in the shell")
+TEST_CASE("Fit energy: E_singularH is the integral of |det H| over the cells in the shell")
 {
   const Fit_problem& problem = cube_problem();
   Energy energy = problem.energy();
@@ -222,7 +222,7 @@ TEST_CASE("E_singularH is the integral of |det H| over the cells in the shell")
   CHECK(problem.energy().value(Term::SINGULAR_HESSIAN, paraboloid(problem, 1, 1, 1)) == 0); // no domain is set
 }
 
-TEST_CASE("The range on the mesh is that of the quadrature points, which lie inside the pieces")
+TEST_CASE("Fit energy: the range on the mesh is taken at quadrature points in the interior of the pieces")
 {
   const Fit_problem& problem = cube_problem();
   const std::pair<double, double> range = problem.energy().range_on_mesh(
@@ -233,8 +233,8 @@ TEST_CASE("The range on the mesh is that of the quadrature points, which lie ins
   CHECK(range.first < -11 * half + 11);
 }
 
-TEST_CASE("E_coefficients is the squared difference of a coefficient to the distance that a cell extends linearly, by "
-          "the function's share in the samples")
+TEST_CASE(
+  "Fit energy: E_coefficients measures deviations from the linear extension of the samples, by the functions' shares")
 {
   const Fit_problem& problem = cube_problem();
   Energy_weights weights;
@@ -263,7 +263,7 @@ TEST_CASE("E_coefficients is the squared difference of a coefficient to the dist
         == Approx(0.5 * 4 * share).epsilon(1e-9));
 }
 
-TEST_CASE("The initial guess extends the samples linearly")
+TEST_CASE("Fit energy: the initial guess extends the samples linearly")
 {
   const Fit_problem& problem = cube_problem();
   const Eigen::VectorXd guess = problem.energy().initial_guess();
@@ -284,7 +284,7 @@ TEST_CASE("The initial guess extends the samples linearly")
   CHECK(worst < 2);
 }
 
-TEST_CASE("Gradients are the derivatives of the values")
+TEST_CASE("Fit energy: gradients are the derivatives of the values")
 {
   // The mesh has facets in all directions, and pieces of all sizes.
   const Fit_problem problem(sphere(1), 4.3, 1);
@@ -320,7 +320,7 @@ TEST_CASE("Gradients are the derivatives of the values")
   }
 }
 
-TEST_CASE("The normal equations are those of the quadratic terms")
+TEST_CASE("Fit energy: the normal equations represent the quadratic terms")
 {
   const Fit_problem problem(sphere(1), 4.3, 1);
   Energy_weights without_angle;
@@ -376,7 +376,7 @@ TEST_CASE("The normal equations are those of the quadratic terms")
   CHECK(Eigen::LLT<Eigen::MatrixXd, Eigen::Lower>(Eigen::MatrixXd(A)).info() == Eigen::Success);
 }
 
-TEST_CASE("The fourth term's normal equations are the Gauss-Newton model of (det H)^2 / max(|det H|, eta)")
+TEST_CASE("Fit energy: the fourth term's equations are the Gauss-Newton model of (det H)^2 / max(|det H|, eta)")
 {
   const Fit_problem problem(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), 2, 1);
   Energy energy = problem.energy();
@@ -426,7 +426,7 @@ TEST_CASE("The fourth term's normal equations are the Gauss-Newton model of (det
   CHECK(expected_b.cwiseAbs().maxCoeff() > 1e-6 * scale);
 }
 
-TEST_CASE("Assembly does not depend on the number of threads, not even in the last bit")
+TEST_CASE("Fit energy: the assembled equations do not depend on the number of threads, bit for bit")
 {
   const Fit_problem problem(torus(3, 1, 16, 9), 20);
   Energy energy = problem.energy(all_terms_weighted());
@@ -448,7 +448,7 @@ TEST_CASE("Assembly does not depend on the number of threads, not even in the la
   }
 }
 
-TEST_CASE("In cell units, the energy does not know how large the mesh is")
+TEST_CASE("Fit energy: in cell units, the energy does not depend on the size of the mesh")
 {
   const auto scaled = [](double s) {
     Mesh mesh = torus(3, 1, 8, 5);

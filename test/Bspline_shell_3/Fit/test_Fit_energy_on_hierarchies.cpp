@@ -140,7 +140,7 @@ Eigen::MatrixXd symmetric(const Eigen::SparseMatrix<double>& lower)
 
 } // namespace
 
-TEST_CASE("On leaves of different size, E_SDF is the sum of squared differences, each in units of its leaf")
+TEST_CASE("Fit energy on a hierarchy: E_SDF is the sum of squared differences in units of each leaf")
 {
   const Problem& problem = sphere_problem();
   REQUIRE(problem.field.number_of_levels() == 3);
@@ -156,7 +156,7 @@ TEST_CASE("On leaves of different size, E_SDF is the sum of squared differences,
   CHECK(problem.energy().value(Term::DISTANCE, x) == Approx(sum).epsilon(1e-12));
 }
 
-TEST_CASE("On leaves of different size, integrals over facets of linear functions are what one computes by hand")
+TEST_CASE("Fit energy on a hierarchy: integrals of linear functions over facets agree with closed forms")
 {
   const Problem& problem = cube_problem();
   const Hierarchical_energy energy = problem.energy();
@@ -185,7 +185,7 @@ TEST_CASE("On leaves of different size, integrals over facets of linear function
   CHECK(energy.value(Term::NORMAL, x) == Approx(energy.weight(Term::NORMAL) * normal).epsilon(1e-12));
 }
 
-TEST_CASE("On leaves of different size, the range on the mesh and the domain of E_singularH speak of the same values")
+TEST_CASE("Fit energy on a hierarchy: the range on the mesh and the domain of E_singularH use the same units")
 {
   const Problem& problem = cube_problem();
   Hierarchical_energy energy = problem.energy();
@@ -219,7 +219,7 @@ TEST_CASE("On leaves of different size, the range on the mesh and the domain of 
   }
 }
 
-TEST_CASE("On leaves of different size, gradients are the derivatives of the values")
+TEST_CASE("Fit energy on a hierarchy: gradients are the derivatives of the values")
 {
   const Problem& problem = sphere_problem();
   Hierarchical_energy energy = problem.energy();
@@ -246,7 +246,7 @@ TEST_CASE("On leaves of different size, gradients are the derivatives of the val
   }
 }
 
-TEST_CASE("On leaves of different size, the normal equations are those of the quadratic terms")
+TEST_CASE("Fit energy on a hierarchy: the normal equations represent the quadratic terms")
 {
   const Problem problem(sphere(1), 3.3, 1, Point_3(0, 0.6, 0.8), 2);
   const Hierarchical_energy energy = problem.energy();
@@ -279,8 +279,8 @@ TEST_CASE("On leaves of different size, the normal equations are those of the qu
   CHECK((b == parallel_b));
 }
 
-TEST_CASE("On leaves of different size, the fourth term's equations have the pattern of the others, and their solution "
-          "lowers it")
+TEST_CASE(
+  "Fit energy on a hierarchy: the fourth term keeps the sparsity pattern, and its model has the term's gradient")
 {
   const Problem& problem = sphere_problem();
   Hierarchical_energy energy = problem.energy();
@@ -299,7 +299,7 @@ TEST_CASE("On leaves of different size, the fourth term's equations have the pat
   CHECK(model.dot(gradient) > 0.9 * model.norm() * gradient.norm());
 }
 
-TEST_CASE("On leaves of different size, the solution is where the gradient vanishes")
+TEST_CASE("Fit energy on a hierarchy: the gradient vanishes at the solution")
 {
   const Problem& problem = sphere_problem();
   Energy_weights weights = all_terms_weighted();
@@ -339,7 +339,7 @@ TEST_CASE("On leaves of different size, the solution is where the gradient vanis
   CHECK(*field.gradient(Point_3(0, 0.6, 0.8)) * Vector_3(0, 0.6, 0.8) == Approx(1).margin(0.2));
 }
 
-TEST_CASE("On leaves of different size, samples of a linear function are fitted by it")
+TEST_CASE("Fit energy on a hierarchy: samples of a linear function are fitted exactly")
 {
   const Problem& problem = cube_problem();
   Energy_weights distance_only;
@@ -364,7 +364,7 @@ TEST_CASE("On leaves of different size, samples of a linear function are fitted 
   CHECK((energy.initial_guess<CGAL::Parallel_if_available_tag>() == guess));
 }
 
-TEST_CASE("On leaves of different size, blocks of unknowns cover all of them and stay on one level")
+TEST_CASE("Fit energy on a hierarchy: blocks cover all unknowns, and each stays on one level")
 {
   const Hierarchical_field& field = sphere_problem().field;
   const BS::Unknown_blocks blocks = BS::overlapping_blocks(field);
@@ -389,7 +389,7 @@ TEST_CASE("On leaves of different size, blocks of unknowns cover all of them and
   CHECK(*std::max_element(times.begin(), times.end()) == 8);
 }
 
-TEST_CASE("On leaves of different size, the equations of a part are those of all, with the values of the others")
+TEST_CASE("Fit energy on a hierarchy: equations of a part equal the full equations with the other values fixed")
 {
   for(const Problem* problem : { &sphere_problem(), &cube_problem() }) {
     const Hierarchical_energy energy = problem->energy();

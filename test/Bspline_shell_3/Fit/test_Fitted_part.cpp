@@ -30,7 +30,8 @@ bool acts(const Field& field, Index u, Index c)
 
 } // namespace
 
-TEST_CASE("Fitted part: the coefficients that act on the cells, and all cells and points that these act on")
+TEST_CASE(
+  "Fitted part: a part has the coefficients acting on the given cells, and all cells and points affected by them")
 {
   CGAL::Random random(7);
   const Field field(random_hierarchy(random, some_cells(random, lattice, { -1, -1, -1 }, { 1, 1, 1 }, 0.8), 2));

@@ -197,7 +197,7 @@ std::vector<Condition> random_conditions(const Problem& problem, CGAL::Random& r
 
 } // namespace
 
-TEST_CASE("Slopes: on all facets at an apex the field has the slope that its cone allows")
+TEST_CASE("Slopes: at an apex, the field attains the slope that the cone allows on all facets")
 {
   const int sides = 8;
   for(double height : { 2., 5. }) {
@@ -238,8 +238,7 @@ TEST_CASE("Slopes: on all facets at an apex the field has the slope that its con
   }
 }
 
-TEST_CASE("Slopes: the step is the best one of the coefficients near the violated cell: comparison with all sets of "
-          "active conditions")
+TEST_CASE("Slopes: each step is optimal for the coefficients near the violated cell, as an exhaustive search confirms")
 {
   for(unsigned seed = 1; seed < 4; ++seed) {
     const Problem problem = bar(seed);
@@ -301,7 +300,7 @@ TEST_CASE("Slopes: the step is the best one of the coefficients near the violate
   }
 }
 
-TEST_CASE("Slopes: conditions that hold change nothing")
+TEST_CASE("Slopes: satisfied conditions change nothing")
 {
   const Problem problem = bar();
   CGAL::Random random(2);
@@ -328,8 +327,7 @@ TEST_CASE("Slopes: conditions that hold change nothing")
   CHECK(x == problem.x);
 }
 
-TEST_CASE("Slopes: conditions that contradict each other end, are reported, and move coefficients no farther than "
-          "those that do not")
+TEST_CASE("Slopes: contradictory conditions are reported, without endless iterations or large coefficients")
 {
   const Problem problem = bar();
   const Point_3 p(3.2, 0.2, 0.3);
@@ -376,7 +374,7 @@ TEST_CASE("Slopes: conditions that contradict each other end, are reported, and 
   CHECK(x.lpNorm<Eigen::Infinity>() < 1e5);
 }
 
-TEST_CASE("Slopes: the size of values can be bounded, at the same points and others")
+TEST_CASE("Slopes: values can be bounded, with or without a slope at the same point")
 {
   const Problem problem = bar();
   std::vector<Condition> conditions;
@@ -409,7 +407,7 @@ TEST_CASE("Slopes: the size of values can be bounded, at the same points and oth
   CHECK((x + y).norm() < 1e-6 * x.norm());
 }
 
-TEST_CASE("Slopes: with more violated cells than allowed nothing changes, and all of them are named")
+TEST_CASE("Slopes: if more cells are violated than allowed, nothing changes, and all of them are reported")
 {
   const Problem problem = bar();
   CGAL::Random random(3);
@@ -433,7 +431,7 @@ TEST_CASE("Slopes: with more violated cells than allowed nothing changes, and al
   CHECK(problem.least_slack(conditions, x) >= 0);
 }
 
-TEST_CASE("Slopes: conditions can be added after a call, old ones still hold")
+TEST_CASE("Slopes: conditions can be added after a call, and earlier ones still hold")
 {
   const Problem problem = bar();
   CGAL::Random random(5);
@@ -458,7 +456,7 @@ TEST_CASE("Slopes: conditions can be added after a call, old ones still hold")
   }
 }
 
-TEST_CASE("Slopes: a condition in a cell that had none is compared with the field as earlier calls left it")
+TEST_CASE("Slopes: a condition in a new cell is compared with the field that earlier calls changed")
 {
   const Problem problem = bar();
   const Condition first = problem.condition(Point_3(3.3, 0.2, 0.3), Vector_3(0, 0, 1), 2);
@@ -485,7 +483,7 @@ TEST_CASE("Slopes: a condition in a cell that had none is compared with the fiel
   }
 }
 
-TEST_CASE("Slopes: cells whose field has changed are reported")
+TEST_CASE("Slopes: cells in which the field changed are reported")
 {
   const Problem problem = bar();
   CGAL::Random random(6);
@@ -506,7 +504,7 @@ TEST_CASE("Slopes: cells whose field has changed are reported")
   CHECK(unchanged.size() > 4);
 }
 
-TEST_CASE("Slopes: the number of threads and the order of conditions in different cells do not matter")
+TEST_CASE("Slopes: neither the number of threads nor the order of conditions in different cells matters")
 {
   const Mesh mesh = pyramid(6, 4);
   const Problem problem = problem_of(mesh, 16, Point_3(0, 0, 4), 3);

@@ -25,8 +25,7 @@ typedef CGAL::Eigen_solver_traits<> General;
 
 } // namespace
 
-TEMPLATE_TEST_CASE("Solver traits: a system is solved, again for another right-hand side", "", Direct, Symmetric,
-                   General)
+TEMPLATE_TEST_CASE("Solver traits: a system is solved for several right-hand sides", "", Direct, Symmetric, General)
 {
   Eigen::SparseMatrix<double> lower(2, 2);
   lower.insert(0, 0) = 1;
@@ -45,7 +44,7 @@ TEMPLATE_TEST_CASE("Solver traits: a system is solved, again for another right-h
   CHECK(x[0] == Approx(-2).epsilon(1e-12));
 }
 
-TEST_CASE("Solver traits: a matrix that cannot be factorized is a failure, not a solution")
+TEST_CASE("Solver traits: a singular matrix is reported as a failure")
 {
   Eigen::SparseMatrix<double> lower(2, 2);
   lower.insert(0, 0) = 0;
@@ -57,7 +56,7 @@ TEST_CASE("Solver traits: a matrix that cannot be factorized is a failure, not a
   CHECK((solver.compute(lower) != Solver_status::SUCCESS || solver.solve(b, x) != Solver_status::SUCCESS));
 }
 
-TEST_CASE("Solver traits: a shell is fitted with them")
+TEST_CASE("Solver traits: a shell can be fitted with solver traits of CGAL")
 {
   const auto p = P::resolution(6);
   const auto shell = CGAL::bspline_shell_3(sphere(1), p.spd_solver(BS::Solver_traits_adaptor<Direct>()));

@@ -27,8 +27,7 @@ Triangle random_triangle(CGAL::Random& random, int size, int entries)
 
 } // namespace
 
-TEST_CASE("Symmetric matrix: the product by a vector is Eigen's but for rounding, and the same in every bit with "
-          "several threads")
+TEST_CASE("Symmetric matrix: products with vectors agree with Eigen's, and do not depend on the number of threads")
 {
   CGAL::Random random(5);
   for(int size : { 1, 2, 7, 100, 9000 })

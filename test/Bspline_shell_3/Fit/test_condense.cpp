@@ -150,7 +150,7 @@ void check_condensed(const Field& field)
 
 } // namespace
 
-TEST_CASE("condensed equations: they are those of all points, restricted to what free coefficients can make")
+TEST_CASE("Condensed equations: equations of all points are restricted correctly to the free coefficients")
 {
   SECTION("two levels")
   {
@@ -177,7 +177,7 @@ TEST_CASE("condensed equations: they are those of all points, restricted to what
   }
 }
 
-TEST_CASE("condensed equations: the same with any number of threads, to the last bit")
+TEST_CASE("Condensed equations: the equations do not depend on the number of threads, bit for bit")
 {
   CGAL::Random random(5);
   const Field field(random_hierarchy(random, some_cells(random, lattice, { -6, -3, -2 }, { 4, 1, 1 }, 0.9), 3));
@@ -195,7 +195,8 @@ TEST_CASE("condensed equations: the same with any number of threads, to the last
   }
 }
 
-TEST_CASE("condensed equations: without dependent coefficients they are the equations of all points")
+TEST_CASE(
+  "Condensed equations: without dependent coefficients, the condensed equations are the equations of all points")
 {
   CGAL::Random random(6);
   const Root_cells roots = some_cells(random, lattice, { -4, -2, -2 }, { 3, 1, 1 }, 0.7);
@@ -210,7 +211,7 @@ TEST_CASE("condensed equations: without dependent coefficients they are the equa
   CHECK((a.b == b.b));
 }
 
-TEST_CASE("Condensed equations of chosen points: the same entries, and none of others")
+TEST_CASE("Condensed equations: for chosen points, their entries are unchanged, and other entries are zero")
 {
   CGAL::Random random(31);
   for(int n = 0; n < 4; ++n) {

@@ -67,7 +67,7 @@ struct Recording_solver
 
 } // namespace
 
-TEST_CASE("Blocks of unknowns cover all of them, overlap, and are small")
+TEST_CASE("Blocks of unknowns: blocks cover all unknowns, overlap, and are small")
 {
   const Fit_problem& problem = sphere_problem();
   const BS::Unknown_blocks blocks = BS::overlapping_blocks(problem.field);
@@ -84,7 +84,7 @@ TEST_CASE("Blocks of unknowns cover all of them, overlap, and are small")
   CHECK(*std::max_element(times.begin(), times.end()) == 8);
 }
 
-TEST_CASE("Blocks save most iterations, and change the solution by no more than the tolerance")
+TEST_CASE("Blocks of unknowns: blocks save most iterations, and change the solution by no more than the tolerance")
 {
   const Fit_problem& problem = sphere_problem();
   const Energy energy = problem.energy(quadratic_terms_only(1e5));
@@ -106,7 +106,7 @@ TEST_CASE("Blocks save most iterations, and change the solution by no more than 
   CHECK((y == z)); // for any number of threads
 }
 
-TEST_CASE("Conjugate_gradient_solver solves a system that is given by its lower triangle")
+TEST_CASE("Conjugate_gradient_solver solves a system given by its lower triangle")
 {
   // The solution of (4 1; 1 3) x = (1; 2) is (1, 7) / 11.
   Eigen::SparseMatrix<double> lower(2, 2);
@@ -134,7 +134,7 @@ TEST_CASE("Conjugate_gradient_solver solves a system that is given by its lower 
   CHECK(impatient.residual() > 1e-14);
 }
 
-TEST_CASE("A fit is where the gradient of the energy vanishes")
+TEST_CASE("The gradient of the energy vanishes at a fit")
 {
   const Fit_problem& problem = torus_problem();
   Energy_weights weights = quadratic_terms_only(1e3);
@@ -171,7 +171,7 @@ TEST_CASE("A fit is where the gradient of the energy vanishes")
   CHECK(report.energy[std::size_t(Term::SINGULAR_HESSIAN)] == 0);
 }
 
-TEST_CASE("A fit of a sphere is near its distance")
+TEST_CASE("A fit to a sphere is close to its signed distance")
 {
   const Fit_problem& problem = sphere_problem();
   Energy energy = problem.energy();
@@ -190,7 +190,7 @@ TEST_CASE("A fit of a sphere is near its distance")
     }
 }
 
-TEST_CASE("Steps on the singular Hessian never raise the energy, and lower that term")
+TEST_CASE("Steps on the singular Hessian never increase the energy, and decrease that term")
 {
   for(const Fit_problem* problem : { &sphere_problem(), &torus_problem() }) {
     Energy energy = problem->energy();
@@ -220,7 +220,7 @@ TEST_CASE("Steps on the singular Hessian never raise the energy, and lower that 
   }
 }
 
-TEST_CASE("A weight of zero leaves the singular Hessian out")
+TEST_CASE("A weight of zero disables the singular Hessian")
 {
   Energy energy = sphere_problem().energy(quadratic_terms_only(1e5));
   Field field = sphere_problem().field;
@@ -229,7 +229,7 @@ TEST_CASE("A weight of zero leaves the singular Hessian out")
   CHECK(solver.computes == 1);
 }
 
-TEST_CASE("When a solver fails, the report says how and the field stays as it was")
+TEST_CASE("If a solver fails, its status is reported, and the field is unchanged")
 {
   const Fit_problem& problem = sphere_problem();
   Energy energy = problem.energy();
@@ -256,7 +256,7 @@ TEST_CASE("When a solver fails, the report says how and the field stays as it wa
   CHECK((field.coefficients() == before));
 }
 
-TEST_CASE("A fit that starts at the solution has nothing to do")
+TEST_CASE("A fit that starts at the solution takes hardly any iterations")
 {
   Energy energy = sphere_problem().energy(quadratic_terms_only(1e3));
   Field field = sphere_problem().field;
@@ -271,7 +271,7 @@ TEST_CASE("A fit that starts at the solution has nothing to do")
 }
 
 #ifdef HAVE_CHOLMOD
-TEST_CASE("Conjugate gradients and the direct solver find the same field")
+TEST_CASE("Conjugate gradients and the direct solver yield the same field")
 {
   const Fit_problem problem(sphere(1), 5, 1);
   for(double singular_hessian : { 0., 1. }) {
@@ -300,7 +300,7 @@ TEST_CASE("Conjugate gradients and the direct solver find the same field")
   }
 }
 
-TEST_CASE("Cholmod_solver refuses a matrix that is not positive definite")
+TEST_CASE("Cholmod_solver rejects a matrix that is not positive definite")
 {
   Eigen::SparseMatrix<double> lower(2, 2);
   lower.insert(0, 0) = 1;

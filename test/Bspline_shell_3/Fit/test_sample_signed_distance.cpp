@@ -31,7 +31,7 @@ struct Counting_ball
 
 } // namespace
 
-TEST_CASE("samples of the distance: of cells that were there before they are kept, and only others are asked for")
+TEST_CASE("Distance samples: samples of unchanged cells are kept, and the oracle is called for new cells only")
 {
   CGAL::Random random(11);
   std::size_t asked = 0;

@@ -70,7 +70,7 @@ struct Failing_solver
 
 } // namespace
 
-TEST_CASE("Part of the unknowns: the chosen ones solve their equations, the others keep their values")
+TEST_CASE("Part of the unknowns: the chosen unknowns solve their equations, and the others keep their values")
 {
   CGAL::Random random(11);
   BS::Conjugate_gradient_solver<CGAL::Sequential_tag> solver(1e-12);
@@ -85,7 +85,7 @@ TEST_CASE("Part of the unknowns: the chosen ones solve their equations, the othe
   }
 }
 
-TEST_CASE("Part of the unknowns: a solver that fails changes nothing")
+TEST_CASE("Part of the unknowns: a failing solver changes nothing")
 {
   CGAL::Random random(12);
   Failing_solver solver;

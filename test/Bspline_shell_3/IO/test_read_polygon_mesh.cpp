@@ -153,7 +153,7 @@ bool is_tetrahedron_STL(const std::string& name, const std::string& text)
 
 } // namespace
 
-TEST_CASE("reading: a mesh is read whole, with shared vertices also from STL")
+TEST_CASE("Reading: an STL file yields a closed mesh with shared vertices, even if a binary file begins like a text")
 {
   Mesh cube = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   for(bool binary : { false, true }) {
@@ -177,7 +177,7 @@ TEST_CASE("reading: a mesh is read whole, with shared vertices also from STL")
   }
 }
 
-TEST_CASE("reading: a facet that faces the wrong way is turned round")
+TEST_CASE("Reading: a facet with the wrong orientation is reversed")
 {
   Offending_simplices offenders;
   const Temporary_file file("read_turned.off",
@@ -188,7 +188,7 @@ TEST_CASE("reading: a facet that faces the wrong way is turned round")
   CHECK(mesh.number_of_faces() == 4);
 }
 
-TEST_CASE("reading: what is no mesh has a status, and the mesh stays as it was")
+TEST_CASE("Reading: an invalid file has a status, and leaves the mesh unchanged")
 {
   Offending_simplices offenders;
   Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
@@ -202,7 +202,7 @@ TEST_CASE("reading: what is no mesh has a status, and the mesh stays as it was")
   CHECK(read("read_bad.off", "OFF\n0 0 0\n", offenders) == Shell_status::EMPTY_MESH);
 }
 
-TEST_CASE("reading: an STL file without facets is empty if it says so, and malformed otherwise")
+TEST_CASE("Reading: an STL file without facets is empty if it declares none, and malformed otherwise")
 {
   Offending_simplices offenders;
   const std::string header(80, ' '), spaces(200, ' '), zero(4, '\0');
@@ -219,7 +219,7 @@ TEST_CASE("reading: an STL file without facets is empty if it says so, and malfo
   }
 }
 
-TEST_CASE("reading: files that are missing, unreadable, empty, malformed or of another format are told apart")
+TEST_CASE("Reading: missing, unreadable, empty, malformed and unsupported files are distinguished")
 {
   Offending_simplices offenders;
   Mesh mesh;
@@ -242,7 +242,7 @@ TEST_CASE("reading: files that are missing, unreadable, empty, malformed or of a
   CHECK(read("read_kinds", text, offenders) == Shell_status::UNSUPPORTED_FILE);
 }
 
-TEST_CASE("reading: the line where a text is malformed is named")
+TEST_CASE("Reading: the line of a syntax error is reported")
 {
   Offending_simplices offenders;
   const std::string v = vertex_rows(), f = facet_rows();
@@ -263,7 +263,7 @@ TEST_CASE("reading: the line where a text is malformed is named")
   CHECK(offenders.facets == std::vector<std::size_t>{ 1, 3 });
 }
 
-TEST_CASE("reading: coordinates that are infinite or not a number are named, by vertex and line, in every format")
+TEST_CASE("Reading: coordinates that are not finite are reported with their vertex and line, in every format")
 {
   Offending_simplices offenders;
   const auto check = [&](const std::string& name, std::string text, std::size_t line, std::size_t vertex,
@@ -289,12 +289,12 @@ TEST_CASE("reading: coordinates that are infinite or not a number are named, by 
   CHECK(offenders.line == 0);
 }
 
-TEST_CASE("reading: coordinates may have a sign, and be too small for doubles")
+TEST_CASE("Reading: coordinates may have a sign, and may underflow")
 {
   CHECK(is_tetrahedron("read_signs.off", "OFF\n4 4 0\n+0 -0 0\n+2.5 0. 1e-999\n.0 1.0E0 0\n0 0 +1\n" + facet_rows()));
 }
 
-TEST_CASE("reading: an STL text is told from a binary file by its length, whatever its first line is")
+TEST_CASE("Reading: a text STL file is distinguished from a binary file by its length, whatever its first line")
 {
   for(const char* first : { "solid\n", "solid a name\n", "Solid\n", "SOLID name\n", "solid\tname\n", " solid name\n",
                             "\xEF\xBB\xBFsolid name\n", "# made by hand\nsolid\n", "solidname\n",
@@ -317,7 +317,7 @@ TEST_CASE("reading: an STL text is told from a binary file by its length, whatev
   CHECK(offenders.line == 0);
 }
 
-TEST_CASE("reading: an OBJ file may have continued lines, relative and compound indices, and more values than needed")
+TEST_CASE("Reading: an OBJ file may have continued lines, relative and compound indices, and additional values")
 {
   const std::string f = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
   for(const std::string& text : std::vector<std::string>{
@@ -340,7 +340,7 @@ TEST_CASE("reading: an OBJ file may have continued lines, relative and compound 
   CHECK(offenders.facets == std::vector<std::size_t>{ 0 });
 }
 
-TEST_CASE("reading: a GOCAD surface, whose vertices have names and may refer to others")
+TEST_CASE("Reading: in a GOCAD surface, vertices have names and may refer to others")
 {
   CHECK(is_tetrahedron("read_gocad.ts", GOCAD()));
   std::string text = GOCAD();
@@ -350,7 +350,7 @@ TEST_CASE("reading: a GOCAD surface, whose vertices have names and may refer to 
   CHECK(read("read_gocad.ts", text, offenders) == Shell_status::MALFORMED_FILE);
 }
 
-TEST_CASE("reading: an OFF file may have white space, comments and blank lines anywhere, and no keyword")
+TEST_CASE("Reading: an OFF file may have white space, comments and blank lines anywhere, and no keyword")
 {
   const std::string v = vertex_rows(), f = facet_rows();
   for(const std::string& text :
@@ -363,7 +363,7 @@ TEST_CASE("reading: an OFF file may have white space, comments and blank lines a
   }
 }
 
-TEST_CASE("reading: the numbers of an OFF file may stand in lines as they like")
+TEST_CASE("Reading: numbers of an OFF file may be distributed arbitrarily over lines")
 {
   for(const std::string& text :
       { "OFF 4 4 6 " + vertex_rows(" ") + facet_rows(" "), "OFF\n4 4 6\n" + vertex_rows(" ") + "\n" + facet_rows(" "),
@@ -378,7 +378,7 @@ TEST_CASE("reading: the numbers of an OFF file may stand in lines as they like")
         == Shell_status::MALFORMED_FILE);
 }
 
-TEST_CASE("reading: an OFF file may lack the number of edges")
+TEST_CASE("Reading: an OFF file may omit the number of edges")
 {
   // The first vertex is not at zero, and its first coordinate must not be cut off.
   const std::string text = "OFF\n4 4\n1.5 2 3\n2 2 3\n1.5 3 3\n1.5 2 4\n" + facet_rows();
@@ -390,7 +390,7 @@ TEST_CASE("reading: an OFF file may lack the number of edges")
   CHECK(is_tetrahedron("read_edges.off", "OFF\n4 4\n" + vertex_rows() + facet_rows()));
 }
 
-TEST_CASE("reading: what an OFF file has besides positions and facets is skipped")
+TEST_CASE("Reading: data of an OFF file other than positions and facets are skipped")
 {
   for(const auto& keyword_and_more :
       std::vector<std::pair<std::string, std::string> >{ { "COFF", " 255 0 0 255\n" },
@@ -413,7 +413,7 @@ TEST_CASE("reading: what an OFF file has besides positions and facets is skipped
   }
 }
 
-TEST_CASE("reading: an OFF file that is not whole, or no text, is malformed")
+TEST_CASE("Reading: an incomplete OFF file is malformed, and a binary OFF file is not supported")
 {
   Offending_simplices offenders;
   const std::string v = vertex_rows(), f = facet_rows(), whole = "OFF\n4 4 0\n" + v + f;
@@ -449,7 +449,7 @@ TEST_CASE("reading: an OFF file that is not whole, or no text, is malformed")
   }
 }
 
-TEST_CASE("reading: facets of a PLY text may have properties before and behind their indices, lists, too")
+TEST_CASE("Reading: facets of a text PLY file may have properties before and after their indices, even lists")
 {
   const std::string texture = "property list uchar float texcoord\n",
                     colors = "property uchar red\nproperty uchar green\nproperty uchar blue\n", v = vertex_rows();
@@ -471,7 +471,7 @@ TEST_CASE("reading: facets of a PLY text may have properties before and behind t
   CHECK(is_tetrahedron("read_lists.ply", PLY(xyz, indices + texture, vertex_rows(" ") + facet_rows(" 2 0.25 0.75 "))));
 }
 
-TEST_CASE("reading: a PLY text may have any types, line ends, comments and blank lines in its header")
+TEST_CASE("Reading: a text PLY file may have any types, line ends, comments, and blank lines in its header")
 {
   const std::string data = vertex_rows() + facet_rows();
   for(const char* type : { "uchar", "int8", "short", "uint16", "uint", "int32", "uint64", "float", "double" })
@@ -488,7 +488,7 @@ TEST_CASE("reading: a PLY text may have any types, line ends, comments and blank
   CHECK(is_tetrahedron("read_types.ply", text));
 }
 
-TEST_CASE("reading: a PLY file with triangle strips is refused by name, even if it has other facets")
+TEST_CASE("Reading: a PLY file with triangle strips has its own status, even if it has other facets")
 {
   Offending_simplices offenders;
   const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n",
@@ -499,7 +499,7 @@ TEST_CASE("reading: a PLY file with triangle strips is refused by name, even if 
                        PLY(xyz, indices, data, "element tristrips 0\nproperty list int int vertex_indices\n")));
 }
 
-TEST_CASE("reading: a PLY text that is not whole is malformed")
+TEST_CASE("Reading: an incomplete text PLY file is malformed")
 {
   Offending_simplices offenders;
   const std::string v = vertex_rows(), f = facet_rows(), whole = PLY(xyz, indices, v + f);
@@ -537,8 +537,7 @@ TEST_CASE("reading: a PLY text that is not whole is malformed")
   }
 }
 
-TEST_CASE("reading: binary PLY data are read with all their properties, and not at all if they end early or are of no "
-          "known type")
+TEST_CASE("Reading: binary PLY files may have any properties, and are rejected if truncated or of unknown types")
 {
   Offending_simplices offenders;
   for(bool is_big_endian : { false, true }) {
@@ -564,7 +563,7 @@ TEST_CASE("reading: binary PLY data are read with all their properties, and not 
   }
 }
 
-TEST_CASE("reading: nothing is printed")
+TEST_CASE("Reading: nothing is printed")
 {
   std::ostringstream printed;
   std::streambuf* const before = std::cerr.rdbuf(printed.rdbuf());
@@ -579,7 +578,7 @@ TEST_CASE("reading: nothing is printed")
   CHECK(printed.str() == "");
 }
 
-TEST_CASE("reading: three facets at an edge are not manifold, and named")
+TEST_CASE("Reading: three facets at an edge are non-manifold, and reported")
 {
   Offending_simplices offenders;
   const Shell_status status = read(
@@ -589,7 +588,7 @@ TEST_CASE("reading: three facets at an edge are not manifold, and named")
   CHECK(offenders.facets == std::vector<std::size_t>{ 0, 1, 2 });
 }
 
-TEST_CASE("reading: a vertex that joins two surfaces is not manifold, and named")
+TEST_CASE("Reading: a vertex that joins two surfaces is non-manifold, and reported")
 {
   // Two tetrahedra share the vertex 3.
   Offending_simplices offenders;
@@ -601,7 +600,7 @@ TEST_CASE("reading: a vertex that joins two surfaces is not manifold, and named"
   CHECK(offenders.vertices == std::vector<std::size_t>{ 3 });
 }
 
-TEST_CASE("reading: of vertices at one position, the first in the file is named, once")
+TEST_CASE("Reading: of several vertices at one position, only the first in the file is reported")
 {
   // Three tetrahedra with vertices of their own meet at the origin: vertices 2, 6 and 11.
   Offending_simplices offenders;
@@ -624,7 +623,7 @@ TEST_CASE("reading: of vertices at one position, the first in the file is named,
   CHECK(offenders.vertices == std::vector<std::size_t>{ 3 });
 }
 
-TEST_CASE("reading: a Moebius band is not orientable")
+TEST_CASE("Reading: a Moebius strip is not orientable")
 {
   // Five quadrangles form a ring; the last one is twisted.
   Offending_simplices offenders;
@@ -638,7 +637,7 @@ TEST_CASE("reading: a Moebius band is not orientable")
   for(std::size_t i = 1; i < offenders.facets.size(); ++i) CHECK(offenders.facets[i - 1] < offenders.facets[i]);
 }
 
-TEST_CASE("reading: each facet at the seams of a one-sided surface is named once, in ascending order")
+TEST_CASE("Reading: each facet at the seams of a one-sided surface is reported once, in ascending order")
 {
   // The projective plane: six vertices, each two of them connected by an edge.
   Offending_simplices offenders;
@@ -651,7 +650,7 @@ TEST_CASE("reading: each facet at the seams of a one-sided surface is named once
   for(std::size_t i = 1; i < offenders.facets.size(); ++i) CHECK(offenders.facets[i - 1] < offenders.facets[i]);
 }
 
-TEST_CASE("reading: a facet with a repeated vertex is degenerate, and named")
+TEST_CASE("Reading: a facet with two corners at one position is degenerate, and reported")
 {
   Offending_simplices offenders;
   // Vertices 1 and 3 have the same position.
@@ -660,7 +659,7 @@ TEST_CASE("reading: a facet with a repeated vertex is degenerate, and named")
   CHECK(offenders.facets == std::vector<std::size_t>{ 1 });
 }
 
-TEST_CASE("reading triangles: polygons are triangulated without new points, and not if that would join them")
+TEST_CASE("Reading triangles: polygons are triangulated without new points, unless diagonals would coincide")
 {
   // A cube lacks one corner, so three of its sides are concave.
   const Temporary_file cube(
@@ -683,7 +682,7 @@ TEST_CASE("reading triangles: polygons are triangulated without new points, and 
   CHECK(read_triangle_mesh(pillow.name, none) == Shell_status::DEGENERATE_FACET);
 }
 
-TEST_CASE("writing: a file appears complete or not at all")
+TEST_CASE("Writing: a file appears complete or not at all")
 {
   const Temporary_file file("write_test.txt", "old");
   CHECK_FALSE(write_file(file.name, [](std::ostream& out) {

@@ -19,7 +19,7 @@
 #include <vector>
 
 namespace test_read_shell {
-TEST_CASE("files: a shell survives writing and reading, bit by bit")
+TEST_CASE("Shell files: a shell is read exactly as it was written")
 {
   const auto check = [](const auto& shell) {
     REQUIRE(shell);
@@ -34,35 +34,35 @@ TEST_CASE("files: a shell survives writing and reading, bit by bit")
     CHECK(text.substr(text.size() - 26) == "checksum " + BS::Checksum::text(BS::shell_checksum(shell)) + "\n");
   };
   namespace P = CGAL::Bspline_shells::parameters;
-  SECTION("of a mesh")
+  SECTION("a shell of a mesh")
   {
     check(CGAL::bspline_shell_3(sphere(2), P::resolution(12)));
   }
-  SECTION("far from the origin, of polygons")
+  SECTION("polygons far from the origin")
   {
     check(
       CGAL::bspline_shell_3(box(Point_3(1000.1, -70.3, 0.1), Point_3(1003.1, -68, 1.4), false), P::resolution(9.7)));
   }
-  SECTION("of other sizes")
+  SECTION("very small and very large meshes")
   {
     check(CGAL::bspline_shell_3(sphere(1, 1e-30), P::resolution(6)));
     check(CGAL::bspline_shell_3(sphere(1, 1e30), P::resolution(6)));
   }
-  SECTION("two components that are far from each other")
+  SECTION("two distant components")
   {
     Mesh two = sphere(1);
     CGAL::copy_face_graph(sphere(1, 1, Point_3(40, 50, 60)), two);
     check(CGAL::bspline_shell_3(two, P::resolution(120)));
   }
-  SECTION("a small one")
+  SECTION("a small shell")
   {
     check(small_shell());
   }
-  SECTION("cells of different sizes, thresholds that vary")
+  SECTION("cells of different sizes, and varying thresholds")
   {
     check(small_varying_shell());
   }
-  SECTION("cells of many sizes")
+  SECTION("many levels of cells")
   {
     CGAL::Random random(3);
     const BS::Lattice_3 lattice(CGAL::Bbox_3(-3, -2, -1, 1, 2, 4), 0.7);
@@ -97,7 +97,7 @@ TEST_CASE("files: a shell survives writing and reading, bit by bit")
     const BS::Lattice_3 lattice(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5);
     for(int end : { -last, last }) check(shell_on(lattice, { { end, end, end } }, [](std::size_t) { return 1.; }));
   }
-  SECTION("without facet ranges, with levels that are equal")
+  SECTION("no facet ranges, and equal levels")
   {
     const Shell some = small_shell();
     BS::Level_range levels;
@@ -106,7 +106,7 @@ TEST_CASE("files: a shell survives writing and reading, bit by bit")
   }
 }
 
-TEST_CASE("files: a shell that was read answers as the one that was written")
+TEST_CASE("Shell files: a shell that was read gives the same answers as the original")
 {
   const Mesh mesh = sphere(2);
   const Shell shell = CGAL::bspline_shell_3(mesh, CGAL::Bspline_shells::parameters::resolution(10));
@@ -122,7 +122,7 @@ TEST_CASE("files: a shell that was read answers as the one that was written")
   CHECK(back.facet_ranges().size() == mesh.number_of_faces());
 }
 
-TEST_CASE("files: a certified shell that was read has the same certificate, and does not claim to have one")
+TEST_CASE("Shell files: a certified shell that was read can be certified again, and is not certified before that")
 {
   const Mesh mesh = box(Point_3(0.1, 0, 0), Point_3(1.1, 0.7, 0.3));
   const Varying_shell shell = CGAL::certified_bspline_shell_3(mesh,
@@ -150,7 +150,7 @@ TEST_CASE("files: a certified shell that was read has the same certificate, and 
   }
 }
 
-TEST_CASE("files: a shell is read into one of its kind only")
+TEST_CASE("Shell files: a shell is only read into a shell of the same type")
 {
   Shell uniform = other_shell();
   Varying_shell varying = small_varying_shell();
@@ -166,7 +166,7 @@ TEST_CASE("files: a shell is read into one of its kind only")
   CHECK(same(varying, small_varying_shell()));
 }
 
-TEST_CASE("files: what was cut off is an error, wherever, and leaves the shell as it was")
+TEST_CASE("Shell files: a truncated file is rejected, wherever it ends, and the shell is unchanged")
 {
   const auto check = [](const auto& shell, const auto& before, std::size_t step) {
     for(Format format : { Format::BINARY, Format::ASCII }) {
@@ -203,7 +203,7 @@ TEST_CASE("files: what was cut off is an error, wherever, and leaves the shell a
   }
 }
 
-TEST_CASE("files: an altered byte is an error, whichever, and leaves the shell as it was")
+TEST_CASE("Shell files: any altered byte is detected, and the shell is unchanged")
 {
   CGAL::Random random(13);
   const auto check = [&](const auto& shell, const auto& before, std::size_t step) {
@@ -237,7 +237,7 @@ TEST_CASE("files: an altered byte is an error, whichever, and leaves the shell a
   check(small_varying_shell(), Varying_shell(), 7);
 }
 
-TEST_CASE("files: a text that contradicts itself is refused, though its checksum is right")
+TEST_CASE("Shell files: inconsistent text is rejected, even if its checksum is correct")
 {
   const Shell shell = small_shell();
   const Lines intact = lines_of(written(shell, Format::ASCII));
@@ -348,7 +348,7 @@ TEST_CASE("files: a text that contradicts itself is refused, though its checksum
   CHECK(other.report().triangles == 21);
 }
 
-TEST_CASE("files: leaves that are no graded hierarchy are refused, though the checksum is right")
+TEST_CASE("Shell files: leaves that are not a graded hierarchy are rejected, even if the checksum is correct")
 {
   const Varying_shell shell = small_varying_shell();
   const Lines intact = lines_of(written(shell, Format::ASCII));
@@ -424,7 +424,7 @@ TEST_CASE("files: leaves that are no graded hierarchy are refused, though the ch
   CHECK_FALSE(Hierarchy::from_leaves(lattice, keys)); // this is why the file is refused
 }
 
-TEST_CASE("files: bytes that contradict themselves are refused, though their checksum is right")
+TEST_CASE("Shell files: inconsistent binary data are rejected, even if their checksum is correct")
 {
   const Shell shell = small_shell();
   const std::string intact = written(shell, Format::BINARY);
@@ -458,7 +458,7 @@ TEST_CASE("files: bytes that contradict themselves are refused, though their che
   check("a number more", body + as_bytes(1.));
 }
 
-TEST_CASE("files: a few cells far from each other take little memory")
+TEST_CASE("Shell files: a few cells far from each other take little memory")
 {
   const int last = BS::Lattice_key::max_coordinate;
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5);
@@ -469,7 +469,7 @@ TEST_CASE("files: a few cells far from each other take little memory")
   CHECK(same(back, shell));
 }
 
-TEST_CASE("files: foreign files, other versions, no file at all")
+TEST_CASE("Shell files: other formats, other versions and missing files are rejected")
 {
   const Shell before = small_shell();
   Shell shell = before;
@@ -496,7 +496,7 @@ TEST_CASE("files: foreign files, other versions, no file at all")
     CHECK_FALSE(std::string(BS::message(status)).empty());
 }
 
-TEST_CASE("files: reading throws nothing, even from a stream that is set to")
+TEST_CASE("Shell files: reading does not throw, even from a stream that is set to throw")
 {
   const std::string bytes = written(small_shell(), Format::BINARY);
   for(std::size_t size : { std::size_t(0), std::size_t(50), bytes.size() }) {

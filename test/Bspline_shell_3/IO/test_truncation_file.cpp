@@ -37,7 +37,7 @@ Truncation_parts parts()
 
 } // namespace
 
-TEST_CASE("Truncations are read as they were written")
+TEST_CASE("Truncation files: a truncation is read exactly as it was written")
 {
   for(bool is_binary : { false, true }) {
     const Truncation truncation = parts().assembled();
@@ -53,7 +53,7 @@ TEST_CASE("Truncations are read as they were written")
   }
 }
 
-TEST_CASE("Truncations that are not valid are not when they are read")
+TEST_CASE("Truncation files: an invalid truncation is still invalid when read")
 {
   for(bool is_binary : { false, true }) {
     Truncation_parts gap = parts();

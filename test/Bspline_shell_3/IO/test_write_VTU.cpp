@@ -78,7 +78,7 @@ void append(std::string& bytes, const std::vector<T>& numbers)
 
 } // namespace
 
-TEST_CASE("VTU: the cells of the shell as Bezier hexahedra, and f at their control points")
+TEST_CASE("VTU: a file has the cells of the shell as Bezier hexahedra, with values of f at their control points")
 {
   const Shell shell = CGAL::bspline_shell_3(sphere(2), CGAL::Bspline_shells::parameters::resolution(10));
   REQUIRE(shell);
@@ -186,7 +186,7 @@ TEST_CASE("VTU: the cells of the shell as Bezier hexahedra, and f at their contr
   }
 }
 
-TEST_CASE("VTU: cells of different sizes, and thresholds that vary at their control points")
+TEST_CASE("VTU: cells may have different sizes, and control points have the values of varying thresholds")
 {
   const Varying_shell shell = small_varying_shell();
   const Varying_shell::Field& field = shell.field();
@@ -227,7 +227,7 @@ TEST_CASE("VTU: cells of different sizes, and thresholds that vary at their cont
   CHECK(Grid(whole.str()).cells == field.number_of_cells());
 }
 
-TEST_CASE("VTU: locales and flags of streams do not matter")
+TEST_CASE("VTU: locales and stream flags do not affect the output")
 {
   const Shell shell = small_shell();
   std::ostringstream plain;
@@ -242,7 +242,7 @@ TEST_CASE("VTU: locales and flags of streams do not matter")
   CHECK(out.str() == plain.str());
 }
 
-TEST_CASE("VTU: files are there and complete, or as before")
+TEST_CASE("VTU: a file is written completely, or the previous file is kept")
 {
   const Shell shell = small_shell();
   const Temporary_file vtu("small.vtu");

@@ -73,7 +73,7 @@ void check_text(const Any_shell& shell, const Certificate& certificate)
 
 } // namespace
 
-TEST_CASE("certificates: on equal cells, between two levels")
+TEST_CASE("Certificate files: the text follows the format, on equal cells between two levels")
 {
   const Mesh mesh = sphere(2);
   const Shell shell = CGAL::bspline_shell_3(mesh, BS::parameters::resolution(12));
@@ -83,7 +83,7 @@ TEST_CASE("certificates: on equal cells, between two levels")
   check_text(shell, certificate);
 }
 
-TEST_CASE("certificates: on cells of different sizes, between thresholds that vary")
+TEST_CASE("Certificate files: the text follows the format, on a hierarchy between varying thresholds")
 {
   const Mesh mesh = box(Point_3(0.1, 0, 0), Point_3(1.1, 0.7, 0.3));
   const Varying_shell shell = CGAL::certified_bspline_shell_3(mesh,

@@ -28,7 +28,7 @@ double b(double t)
 
 } // namespace
 
-TEST_CASE("files: the text is what the format says")
+TEST_CASE("Shell files: the text follows the format")
 {
   const Shell shell = small_shell();
   const Field& field = shell.field();
@@ -72,7 +72,7 @@ TEST_CASE("files: the text is what the format says")
     }
 }
 
-TEST_CASE("files: the text of a hierarchy with thresholds that vary is what the format says")
+TEST_CASE("Shell files: the text of a hierarchy with varying thresholds follows the format")
 {
   const Varying_shell shell = small_varying_shell();
   const Varying_shell::Field& field = shell.field();
@@ -147,7 +147,7 @@ TEST_CASE("files: the text of a hierarchy with thresholds that vary is what the 
   }
 }
 
-TEST_CASE("files: the bytes are where the format says")
+TEST_CASE("Shell files: the binary data follow the format")
 {
   const Shell shell = small_shell();
   const std::string bytes = written(shell, Format::BINARY);
@@ -189,7 +189,7 @@ TEST_CASE("files: the bytes are where the format says")
   CHECK(at<double>(more, coefficients + 16 * functions) == varying.outer_threshold().field().coefficients()[0]);
 }
 
-TEST_CASE("files: paths are where the format says, as text and as bytes")
+TEST_CASE("Shell files: paths follow the format, as text and as binary data")
 {
   Shell shell = small_shell();
   shell.set_path_candidates({ { 0, 7, { 0.5, -1, 2 }, { 1, 2, 1e-3 } } });
@@ -218,7 +218,7 @@ TEST_CASE("files: paths are where the format says, as text and as bytes")
   CHECK(BS::write_shell(out, shell, Format::ASCII) == Status::NOT_A_SHELL);
 }
 
-TEST_CASE("files: locales and flags of streams do not matter")
+TEST_CASE("Shell files: locales and stream flags affect neither writing nor reading")
 {
   const Shell shell = small_shell();
   const std::string text = written(shell, Format::ASCII), bytes = written(shell, Format::BINARY);
@@ -246,7 +246,7 @@ TEST_CASE("files: locales and flags of streams do not matter")
   CHECK(same(from_file, shell));
 }
 
-TEST_CASE("files: what is no shell is not written")
+TEST_CASE("Shell files: an invalid shell is not written")
 {
   const Shell some = small_shell();
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
@@ -320,7 +320,7 @@ TEST_CASE("files: what is no shell is not written")
   CHECK_FALSE(std::ifstream("none.shell"));
 }
 
-TEST_CASE("files: they are there and complete, or as before")
+TEST_CASE("Shell files: a file is written completely, or the previous file is kept")
 {
   const Shell shell = small_shell();
   const Temporary_file binary("small.shell"), text("small.shell.txt");

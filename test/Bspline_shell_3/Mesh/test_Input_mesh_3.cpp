@@ -66,7 +66,7 @@ Mesh::Vertex_index vertex_at(const Mesh& mesh, const Point_3& p)
 {
   for(auto v : mesh.vertices())
     if(mesh.point(v) == p) return v;
-  FAIL("no vertex there");
+  FAIL("no vertex at this point");
   return Mesh::null_vertex();
 }
 
@@ -185,7 +185,7 @@ Vector_3 mean_normal(const Mesh& mesh, Mesh::Vertex_index v)
 
 } // namespace
 
-TEST_CASE("Input_mesh_3 accepts a closed mesh and tells what it is")
+TEST_CASE("Input mesh: a closed mesh is accepted, with its box, unit, components and orientation")
 {
   Input_mesh_3 input;
   const Mesh mesh = box(Point_3(1, 2, 3), Point_3(3, 7, 4));
@@ -199,7 +199,7 @@ TEST_CASE("Input_mesh_3 accepts a closed mesh and tells what it is")
   CHECK(input.offending_simplices().vertices.empty());
 }
 
-TEST_CASE("EMPTY_MESH: no facet at all, whatever else there is")
+TEST_CASE("EMPTY_MESH is returned for a mesh without facets, even if it has points or removed facets")
 {
   Input_mesh_3 input;
   CHECK(check(input, Mesh()) == Status::EMPTY_MESH);
@@ -215,7 +215,7 @@ TEST_CASE("EMPTY_MESH: no facet at all, whatever else there is")
   CHECK(input.mesh().number_of_faces() == 0);
 }
 
-TEST_CASE("NOT_FINITE: names the vertices with infinite coordinates or none")
+TEST_CASE("NOT_FINITE: the vertices with NaN or infinite coordinates are reported")
 {
   typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Plain_mesh;
   Plain_mesh mesh;
@@ -232,7 +232,7 @@ TEST_CASE("NOT_FINITE: names the vertices with infinite coordinates or none")
   CHECK(input.offending_simplices().facets.empty());
 }
 
-TEST_CASE("OPEN_MESH: names the facets at the border, also of polygons and after removals")
+TEST_CASE("OPEN_MESH: the facets at the border are reported, even of polygons and after removals")
 {
   Input_mesh_3 input;
   for(bool triangulated : { false, true }) {
@@ -251,7 +251,7 @@ TEST_CASE("OPEN_MESH: names the facets at the border, also of polygons and after
   }
 }
 
-TEST_CASE("NON_MANIFOLD: names the vertex in which two closed surfaces touch")
+TEST_CASE("NON_MANIFOLD: the vertex at which two closed surfaces touch is reported")
 {
   // Two tetrahedra are joined at a common apex. The unused vertex is removed, so positions shift.
   const Mesh lower = tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, -1), Point_3(0, 1, -1), Point_3(-1, -1, -1));
@@ -272,7 +272,7 @@ TEST_CASE("NON_MANIFOLD: names the vertex in which two closed surfaces touch")
   CHECK(input.offending_simplices().facets.empty());
 }
 
-TEST_CASE("DEGENERATE_FACET: names triangles and polygons without area, and only these")
+TEST_CASE("DEGENERATE_FACET: exactly the triangles and polygons of zero area are reported")
 {
   // The edge pq of a tetrahedron gets `cuts` points. Then the facet on its left side is cut along pq.
   for(int cuts : { 1, 2 }) {
@@ -302,7 +302,7 @@ TEST_CASE("DEGENERATE_FACET: names triangles and polygons without area, and only
   }
 }
 
-TEST_CASE("COORDINATES_OUT_OF_RANGE: too large or too small for products of doubles")
+TEST_CASE("COORDINATES_OUT_OF_RANGE is returned if coordinates are too large or too small for products of doubles")
 {
   const auto scaled = [](double s) {
     return tetrahedron(Point_3(0, 0, 0), Point_3(s, 0, 0), Point_3(0, s, 0), Point_3(0, 0, s));
@@ -318,7 +318,7 @@ TEST_CASE("COORDINATES_OUT_OF_RANGE: too large or too small for products of doub
   }
 }
 
-TEST_CASE("INCONSISTENT_ORIENTATION: a flat mesh bounds no volume, even if it may intersect itself")
+TEST_CASE("INCONSISTENT_ORIENTATION is returned for a flat mesh, which bounds no volume, even if it may self-intersect")
 {
   // Two triangles back to back, and a folded flat octahedron that is not orthogonal to any axis.
   Mesh flat = tetrahedron(Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(0, 4, 0), Point_3(1, 1, 0));
@@ -335,7 +335,7 @@ TEST_CASE("INCONSISTENT_ORIENTATION: a flat mesh bounds no volume, even if it ma
   CHECK(check(input, flat, tolerated) == Status::INCONSISTENT_ORIENTATION);
 }
 
-TEST_CASE("DEGENERATE_FACET: an area of one part in 10^300 is one")
+TEST_CASE("DEGENERATE_FACET is not returned for a positive area, even of one part in 10^300")
 {
   const double tiny = std::ldexp(1., -1000);
   Input_mesh_3 input;
@@ -350,7 +350,7 @@ TEST_CASE("DEGENERATE_FACET: an area of one part in 10^300 is one")
         }));
 }
 
-TEST_CASE("SELF_INTERSECTION: names the facets that cross, by the user's polygons")
+TEST_CASE("SELF_INTERSECTION: the facets that cross are reported, as polygons of the user's mesh")
 {
   // A spike from the inside of a box of quadrangles pierces its top.
   const Point_3 tip(0.5, 0.3, 3);
@@ -379,7 +379,7 @@ TEST_CASE("SELF_INTERSECTION: names the facets that cross, by the user's polygon
   }
 }
 
-TEST_CASE("INCONSISTENT_ORIENTATION: names one facet of each component to be turned")
+TEST_CASE("INCONSISTENT_ORIENTATION: one facet of each component to be reversed is reported")
 {
   Input_mesh_3 input;
   const Mesh left = box(Point_3(0, 0, 0), Point_3(1, 1, 1)), right = box(Point_3(2, 0, 0), Point_3(3, 1, 1), false),
@@ -409,7 +409,7 @@ TEST_CASE("INCONSISTENT_ORIENTATION: names one facet of each component to be tur
   mend(both(both(outer, reversed(cavity)), reversed(core)), 1);
 }
 
-TEST_CASE("A mesh may be inside out, if all of it is")
+TEST_CASE("Input mesh: the whole mesh may be inside out")
 {
   Input_mesh_3 input;
   const Mesh hollow = both(sphere(1, 4), reversed(sphere(1, 2)));
@@ -426,7 +426,7 @@ TEST_CASE("A mesh may be inside out, if all of it is")
   CHECK(input.faces_outwards());
 }
 
-TEST_CASE("SINGULAR_VERTEX: names the apex over a polygon without kernel")
+TEST_CASE("SINGULAR_VERTEX: the apex over a polygon with an empty kernel is reported")
 {
   Mesh mesh = pyramid_over_U();
   for(bool garbage : { false, true }) {
@@ -443,7 +443,7 @@ TEST_CASE("SINGULAR_VERTEX: names the apex over a polygon without kernel")
   }
 }
 
-TEST_CASE("A vertex with the least positive cone margin is not singular")
+TEST_CASE("Input mesh: a vertex with a tiny positive cone margin is not singular")
 {
   for(int exponent : { 3, 20, 40 }) {
     CAPTURE(exponent);
@@ -467,7 +467,7 @@ TEST_CASE("A vertex with the least positive cone margin is not singular")
   CHECK_FALSE(vertex_cone(no_kernel, vertex_at(no_kernel, Point_3(3, 4, 2))));
 }
 
-TEST_CASE("vertex_cone finds a direction at every vertex of ordinary meshes, at any scale")
+TEST_CASE("Input mesh: vertex_cone() finds a direction at every vertex of an ordinary mesh, at any scale")
 {
   for(double scale : { 1., std::ldexp(1., -400), std::ldexp(1., 300) }) {
     CAPTURE(scale);
@@ -483,7 +483,7 @@ TEST_CASE("vertex_cone finds a direction at every vertex of ordinary meshes, at 
   }
 }
 
-TEST_CASE("Triangles of a polygon keep their facet of origin")
+TEST_CASE("Input mesh: triangles of a polygon keep their facet of origin")
 {
   Mesh mesh = both(box(Point_3(0, 0, 0), Point_3(1, 2, 3), false), sphere(0, 1, Point_3(5, 5, 5)));
   for(bool garbage : { false, true }) {
@@ -503,8 +503,8 @@ TEST_CASE("Triangles of a polygon keep their facet of origin")
   }
 }
 
-TEST_CASE("Facets and vertices have the points of those that they come from, also after removals, beside isolated "
-          "vertices, and in another order")
+TEST_CASE(
+  "Input mesh: facets and vertices have their origin's points, despite removals, isolated vertices and reordering")
 {
   const Mesh plain = both(box(Point_3(0, 0, 0), Point_3(1, 2, 3)), sphere(1, 1, Point_3(5, 5, 5)));
   Mesh isolated = box(Point_3(0, 0, 0), Point_3(1, 2, 3));
@@ -536,7 +536,7 @@ TEST_CASE("Facets and vertices have the points of those that they come from, als
   }
 }
 
-TEST_CASE("Property maps of the user's mesh are left alone, whatever their names")
+TEST_CASE("Input mesh: property maps of the user's mesh are unchanged, whatever their names")
 {
   Mesh mesh = both(sphere(1), sphere(1, 1, Point_3(5, 5, 5)));
   auto component = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component", 7).first;
@@ -587,7 +587,7 @@ Closing base_of_pyramid(const Closing::Point& below)
 
 } // namespace
 
-TEST_CASE("Each facet of a closed mesh belongs to the user's mesh or to the closing")
+TEST_CASE("Input mesh: each facet of a closed mesh belongs to the user's mesh or to the closing")
 {
   Input_mesh_3 input;
   REQUIRE(check_closed(input, open_pyramid(), base_of_pyramid({ 0, 0, -1 })) == Status::SUCCESS);
@@ -596,7 +596,7 @@ TEST_CASE("Each facet of a closed mesh belongs to the user's mesh or to the clos
   for(auto v : input.mesh().vertices()) CHECK(input.is_of_user(v) == (input.mesh().point(v).z() >= 0));
 }
 
-TEST_CASE("A closing of another mesh is refused, and so is one that does not make a surface of the mesh")
+TEST_CASE("Input mesh: a closing that belongs to another mesh, or does not yield a surface, is rejected")
 {
   const Mesh mesh = open_pyramid();
   const Positions all = { 0, 1, 2, 3 }; // each facet has an edge on the border
@@ -628,7 +628,7 @@ TEST_CASE("A closing of another mesh is refused, and so is one that does not mak
   REQUIRE(check_closed(input, mesh, base_of_pyramid({ 0, 0, -1 })) == Status::SUCCESS);
 }
 
-TEST_CASE("Cores have the facets that they are parts of, and discs have none")
+TEST_CASE("Input mesh: cores have the facets that they are part of, and discs have none")
 {
   const Mesh mesh = sphere(1);
   const Truncation_parts parts = truncation_at(mesh, { Mesh::Vertex_index(0), Mesh::Vertex_index(5) }, true);
@@ -655,7 +655,7 @@ TEST_CASE("Cores have the facets that they are parts of, and discs have none")
   CHECK(input.number_of_facets_of_origin() == faces.size() + in_discs);
 }
 
-TEST_CASE("A tip that another facet pierces is refused, even if self-intersections are tolerated")
+TEST_CASE("Input mesh: a tip that another facet pierces is rejected, even if self-intersections are tolerated")
 {
   // The tip is beyond the disc, so the truncated mesh does not intersect itself.
   Mesh mesh = ::pyramid(4, 1);
@@ -669,7 +669,7 @@ TEST_CASE("A tip that another facet pierces is refused, even if self-intersectio
   CHECK(check_truncated(input, ::pyramid(4, 1), parts, tolerated) == Status::SUCCESS);
 }
 
-TEST_CASE("A truncation that does not make a surface of the mesh is refused, with the vertices that it cuts off")
+TEST_CASE("Input mesh: a truncation that does not yield a surface is rejected, and its cut-off vertices are reported")
 {
   const Mesh mesh = sphere(1);
   const Mesh::Vertex_index v(5);
@@ -716,7 +716,7 @@ TEST_CASE("A truncation that does not make a surface of the mesh is refused, wit
   CHECK(input.offending_simplices().vertices.size() == 1);
 }
 
-TEST_CASE("Coordinates of a lazy kernel are rounded as the numbers that they stand for, whatever is known of them")
+TEST_CASE("Input mesh: lazy coordinates are rounded by their exact values, however wide their enclosures")
 {
   typedef CGAL::Exact_predicates_exact_constructions_kernel Lazy_kernel;
   typedef Lazy_kernel::FT Lazy;
@@ -743,7 +743,7 @@ TEST_CASE("Coordinates of a lazy kernel are rounded as the numbers that they sta
     CHECK(input.mesh().point(v) == ball.point(Mesh::Vertex_index(unsigned(input.vertex_of_origin(v)))));
 }
 
-TEST_CASE("Isolated vertices do not count")
+TEST_CASE("Input mesh: isolated vertices are ignored")
 {
   Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   mesh.add_vertex(Point_3(100, 100, 100));
@@ -754,7 +754,7 @@ TEST_CASE("Isolated vertices do not count")
   CHECK(input.number_of_components() == 1);
 }
 
-TEST_CASE("The points are those of the vertex point map")
+TEST_CASE("Input mesh: points are taken from the vertex point map")
 {
   const Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   std::unordered_map<Mesh::Vertex_index, Point_3> points;
@@ -764,7 +764,7 @@ TEST_CASE("The points are those of the vertex point map")
   CHECK(input.bbox() == CGAL::Bbox_3(0, 0, -5, 2, 1, -4));
 }
 
-TEST_CASE("A refusal leaves nothing behind for the next mesh")
+TEST_CASE("Input mesh: a rejected mesh does not affect the next one")
 {
   Input_mesh_3 input;
   REQUIRE(check(input, pyramid_over_U()) == Status::SINGULAR_VERTEX);

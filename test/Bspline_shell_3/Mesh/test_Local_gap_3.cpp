@@ -51,7 +51,7 @@ Point unit_normal(const std::array<Point_3, 3>& t)
 
 } // namespace
 
-TEST_CASE("local gaps: of a plate, its thickness behind the large sides, and none in front")
+TEST_CASE("Local gap: a plate has its thickness behind the large sides, and no gap in front")
 {
   for(double t : { 0.1, 1e-3, 1e-6 }) {
     const BS::Input_mesh_3 input = input_of(box(Point_3(0, 0, 0), Point_3(1, 2, t)));
@@ -65,7 +65,7 @@ TEST_CASE("local gaps: of a plate, its thickness behind the large sides, and non
   }
 }
 
-TEST_CASE("local gaps: between two boxes, their distance where they are opposite to each other, and more beside it")
+TEST_CASE("Local gap: two boxes have their distance where they face each other, and a larger gap beside this area")
 {
   Mesh mesh = box(Point_3(0, 0, 0), Point_3(4, 4, 1));
   CGAL::copy_face_graph(box(Point_3(1, 1, 1.25), Point_3(2, 2, 3)), mesh);
@@ -87,8 +87,7 @@ TEST_CASE("local gaps: between two boxes, their distance where they are opposite
   }
 }
 
-TEST_CASE(
-  "local gaps: a large slanted facet is found whatever the search begins with, also where balls reach through it")
+TEST_CASE("Local gap: a large slanted facet is found, wherever the search starts, even if balls reach through it")
 {
   // The facet is below a lid that falls from z = 20 to z = 0.5.
   Mesh mesh;
@@ -121,7 +120,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("local gaps: inside a ball they are its diameter, everywhere")
+TEST_CASE("Local gap: the gap inside a ball is the diameter everywhere")
 {
   const BS::Input_mesh_3 input = input_of(sphere(3, 0.5));
   const BS::Local_gap_3 gap(input);
@@ -136,7 +135,7 @@ TEST_CASE("local gaps: inside a ball they are its diameter, everywhere")
   CHECK(most <= 1);
 }
 
-TEST_CASE("local gaps: they are never larger than what pairs of points say, and some pair is as near")
+TEST_CASE("Local gap: the gap does not exceed the gap of any pair of points, and some pair nearly attains it")
 {
   CGAL::Random random(7);
   constexpr double facing_away = -0.5;
@@ -184,7 +183,7 @@ TEST_CASE("local gaps: they are never larger than what pairs of points say, and 
   }
 }
 
-TEST_CASE("local gaps: a part of a facet has at least the gap of the facet")
+TEST_CASE("Local gap: a part of a facet has at least the gap of the facet")
 {
   CGAL::Random random(8);
   const BS::Input_mesh_3 input = input_of(dumbbell(0.05));

@@ -282,7 +282,7 @@ struct Ball
 
 } // namespace
 
-TEST_CASE("signed distance: the distance is the least over all facets, the sign tells who sees their backs")
+TEST_CASE("Signed distance: distance and sign agree with an exact search through all facets")
 {
   SECTION("torus")
   {
@@ -303,7 +303,7 @@ TEST_CASE("signed distance: the distance is the least over all facets, the sign 
   }
 }
 
-TEST_CASE("signed distance: of a box, in closed form")
+TEST_CASE("Signed distance: the distance to a box agrees with the closed form")
 {
   const Point_3 a(-1, -0.5, -0.25), b(1, 0.75, 0.5);
   const BS::Input_mesh_3 input = input_of(box(a, b));
@@ -315,7 +315,8 @@ TEST_CASE("signed distance: of a box, in closed form")
   }
 }
 
-TEST_CASE("signed distance: of a sphere's mesh, between those of its inscribed and circumscribed sphere")
+TEST_CASE(
+  "Signed distance: distances to a sphere's mesh lie between distances to its inscribed and circumscribed spheres")
 {
   const Mesh mesh = sphere(3);
   double inscribed = 1;
@@ -337,7 +338,7 @@ TEST_CASE("signed distance: of a sphere's mesh, between those of its inscribed a
   }
 }
 
-TEST_CASE("signed distance: points of the mesh have none, the next double has a sign")
+TEST_CASE("Signed distance: the distance is zero at points of the mesh, and has the right sign one ulp away")
 {
   const Point_3 a(-1, -0.5, -0.3), b(1, 0.7, 0.5);
   for(bool inside_out : { false, true }) {
@@ -369,7 +370,7 @@ TEST_CASE("signed distance: points of the mesh have none, the next double has a 
   for(auto v : mesh.vertices()) CHECK(oracle(mesh.point(v)) == 0);
 }
 
-TEST_CASE("signed distance: a mesh that is turned inside out has the opposite one")
+TEST_CASE("Signed distance: turning a mesh inside out negates the distance")
 {
   const Mesh mesh = torus(1, 0.5, 16, 12);
   const BS::Input_mesh_3 input = input_of(mesh), reversed = input_of(turned_inside_out(mesh));
@@ -384,7 +385,7 @@ TEST_CASE("signed distance: a mesh that is turned inside out has the opposite on
   }
 }
 
-TEST_CASE("signed distance: where the search starts does not change what it finds")
+TEST_CASE("Signed distance: the start of the search does not affect the result")
 {
   const BS::Input_mesh_3 input = input_of(torus(1, 0.5, 24, 16));
   const BS::Mesh_signed_distance_3 oracle(input);
@@ -404,7 +405,7 @@ TEST_CASE("signed distance: where the search starts does not change what it find
   }
 }
 
-TEST_CASE("signed distance: the closest point tells the side, also at creases, saddles, needles and in thin parts")
+TEST_CASE("Signed distance: the closest point determines the side, even at creases, saddles, needles and thin parts")
 {
   SECTION("smooth")
   {
@@ -462,7 +463,7 @@ TEST_CASE("signed distance: the closest point tells the side, also at creases, s
   {
     check_sides(with_needles(star(5, 0.3, 1, 0, 0.01), 1e-8));
   }
-  SECTION("needles as thin as rounding, at creases")
+  SECTION("needles as thin as one ulp, at creases")
   {
     check_sides(with_needles(star(5, 0.3, 1, 0, 0.5), 1e-14));
   }
@@ -479,7 +480,7 @@ TEST_CASE("signed distance: the closest point tells the side, also at creases, s
   }
 }
 
-TEST_CASE("signed distance: where a mesh intersects itself, the side is that of the closest facet")
+TEST_CASE("Signed distance: if a mesh intersects itself, the closest facet determines the side")
 {
   // Two boxes overlap.
   const Mesh mesh = both(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), box(Point_3(0.5, 0.2, 0.3), Point_3(1.6, 0.7, 0.8)));
@@ -500,7 +501,7 @@ TEST_CASE("signed distance: where a mesh intersects itself, the side is that of 
   CHECK(differ > 50); // the parity of crossed facets would give another side
 }
 
-TEST_CASE("samples of the distance: together they are a uniform lattice, two to a cell and axis")
+TEST_CASE("Distance samples: all samples together form a uniform lattice, with two samples per cell and axis")
 {
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5);
   const BS::Cell_complex_3 cells(lattice, BS::dilate({ BS::Lattice_key::encode(0, 0, 0) }, 0, 1));
@@ -519,7 +520,7 @@ TEST_CASE("samples of the distance: together they are a uniform lattice, two to 
   CHECK(points == expected);
 }
 
-TEST_CASE("samples of the distance: made together they are those of single queries", "[slow]")
+TEST_CASE("Distance samples: samples of many cells agree with single queries", "[slow]")
 {
   SECTION("a torus")
   {
@@ -537,7 +538,7 @@ TEST_CASE("samples of the distance: made together they are those of single queri
   {
     check_samples(both(sphere(2, 0.7, Point_3(-1, 0, 0)), box(Point_3(0, -1, -1), Point_3(1, 1, 1))), 0.15, 3);
   }
-  SECTION("a box in the planes between cells")
+  SECTION("a box in lattice planes")
   {
     check_samples(box(Point_3(-.5, -.5, -.5), Point_3(.5, .5, .5)), 0.125, 2);
   }
@@ -551,7 +552,7 @@ TEST_CASE("samples of the distance: made together they are those of single queri
   }
 }
 
-TEST_CASE("samples of the distance: from a user's oracle")
+TEST_CASE("Distance samples: the oracle may be given by the user")
 {
   const BS::Input_mesh_3 input = input_of(sphere(1));
   const BS::Cell_complex_3 cells = all_cells(input, 0.2, 2);

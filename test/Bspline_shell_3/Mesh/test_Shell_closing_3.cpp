@@ -44,7 +44,7 @@ Closing roof(double height = 1.5)
 
 } // namespace
 
-TEST_CASE("Closing: a mesh is closed by its triangles, in their order, and opened again")
+TEST_CASE("Shell closing: a mesh is closed by the triangles, in their order, and opened again")
 {
   const Mesh before = open_cube();
   Mesh mesh = before;
@@ -69,7 +69,7 @@ TEST_CASE("Closing: a mesh is closed by its triangles, in their order, and opene
   CHECK(is_equal(mesh, before));
 }
 
-TEST_CASE("Closing: other types of meshes")
+TEST_CASE("Shell closing: a Polyhedron_3 is closed and opened again")
 {
   typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
   Polyhedron mesh;
@@ -85,7 +85,7 @@ TEST_CASE("Closing: other types of meshes")
   CHECK(mesh.is_valid());
 }
 
-TEST_CASE("Closing: zeros have no sign")
+TEST_CASE("Shell closing: signs of zeros are ignored")
 {
   Mesh mesh = open_cube();
   for(auto v : mesh.vertices()) {
@@ -95,7 +95,7 @@ TEST_CASE("Closing: zeros have no sign")
   CHECK(roof().attach(mesh, mesh.points()));
 }
 
-TEST_CASE("Closing: a mesh with another border is left as it is")
+TEST_CASE("Shell closing: a mesh with another border is left unchanged")
 {
   const auto is_refused = [](const Mesh& before, const Closing& closing) {
     Mesh mesh = before;
@@ -141,7 +141,7 @@ TEST_CASE("Closing: a mesh with another border is left as it is")
                                  { { 0, 1, 2 }, { 0, 2, 3 } }, std::vector<Closing::Kind>(2, Closing::Kind::CAP))));
 }
 
-TEST_CASE("Closing: triangles that can close no mesh are told from those that can")
+TEST_CASE("Shell closing: is_valid() detects triangles that cannot close any mesh")
 {
   const auto is_valid = [](std::size_t points, std::size_t border, const std::vector<Closing::Triangle>& triangles) {
     std::vector<Closing::Point> p;
@@ -186,7 +186,7 @@ TEST_CASE("Closing: triangles that can close no mesh are told from those that ca
   CHECK_FALSE(infinite.is_valid());
 }
 
-TEST_CASE("Closing: a mesh whose border is a part of that of the closing, or that has it twice, is left as it is")
+TEST_CASE("Shell closing: a mesh with a part of the border, or with two copies of it, is left unchanged")
 {
   // pyramids without their bases
   const auto add = [](Mesh& mesh, double height) {
@@ -214,7 +214,7 @@ TEST_CASE("Closing: a mesh whose border is a part of that of the closing, or tha
   CHECK(base.attach(one, one.points()));
 }
 
-TEST_CASE("Closing: a mesh of another type with an edge of the closing is left as it is")
+TEST_CASE("Shell closing: a Polyhedron_3 that already has an edge of the closing is left unchanged")
 {
   CGAL::Polyhedron_3<Kernel> mesh;
   CGAL::copy_face_graph(sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; }), mesh);

@@ -88,7 +88,7 @@ std::array<double, 3> random_barycentric(std::mt19937& random)
 
 } // namespace
 
-TEST_CASE("A truncation that is made by hand is proved")
+TEST_CASE("Truncation: a handmade truncation is proved valid")
 {
   CHECK(square_pyramid(false).is_valid());
   CHECK(square_pyramid(true).is_valid());
@@ -100,7 +100,7 @@ TEST_CASE("A truncation that is made by hand is proved")
   CHECK(t.disc_of_new_facet(8) == 0);
 }
 
-TEST_CASE("Each error in a truncation is found")
+TEST_CASE("Truncation: each error is detected")
 {
   const double infinity = std::numeric_limits<double>::infinity();
   const std::vector<std::function<void(Parts&)> > errors = {
@@ -165,7 +165,7 @@ TEST_CASE("Each error in a truncation is found")
   CHECK_FALSE(parts.is_valid());
 }
 
-TEST_CASE("Parts that overlap tile no facet")
+TEST_CASE("Truncation: overlapping parts do not tile a facet")
 {
   // A cut within the first facet is closer to the apex than the cuts on its edges, as the cores require.
   Parts parts = square_pyramid();
@@ -189,7 +189,7 @@ TEST_CASE("Parts that overlap tile no facet")
   }
 }
 
-TEST_CASE("A truncation whose disc and core have an edge in common is not valid: the mesh would have four facets at it")
+TEST_CASE("Truncation: a disc and a core must not share an edge, as the mesh would have four facets there")
 {
   // There are three cuts within the first facet. The core has the edge between the two outer ones.
   Parts parts = square_pyramid();
@@ -218,7 +218,7 @@ TEST_CASE("A truncation whose disc and core have an edge in common is not valid:
   CHECK_FALSE(with({ core(5, 6, 9), core(5, 9, 11), core(11, 9, 10) }));
 }
 
-TEST_CASE("A disc that goes on beyond its rim is none")
+TEST_CASE("Truncation: a disc must not extend beyond its rim")
 {
   Parts parts = square_pyramid();
   parts.planar = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 }, { 0, 3 } };
@@ -227,7 +227,7 @@ TEST_CASE("A disc that goes on beyond its rim is none")
   CHECK_FALSE(parts.is_valid());
 }
 
-TEST_CASE("Two discs with a point in common are not valid")
+TEST_CASE("Truncation: two discs must not share a point")
 {
   const Mesh mesh = subdivided(box(Point_3(0, 0, 0), Point_3(1, 1, 1)));
   Parts parts = truncation_at(mesh, { Mesh::Vertex_index(0), Mesh::Vertex_index(6) }, true);
@@ -240,7 +240,7 @@ TEST_CASE("Two discs with a point in common are not valid")
   CHECK_FALSE(parts.is_valid());
 }
 
-TEST_CASE("A facet with a vertex that is cut off must be cut there")
+TEST_CASE("Truncation: a facet with a vertex that is cut off must be cut there")
 {
   Parts parts = square_pyramid();
   parts.cut_facets.push_back({ 0, 1, 3 });
@@ -248,7 +248,7 @@ TEST_CASE("A facet with a vertex that is cut off must be cut there")
   CHECK_FALSE(parts.is_valid());
 }
 
-TEST_CASE("Facets with a common edge cut it in the same points")
+TEST_CASE("Truncation: facets with a common edge must cut it at the same points")
 {
   // Two edges connect the vertices 0 and 1, between four facets. Both vertices are cut off, and each edge is cut twice.
   const Index npos = Truncation::npos;
@@ -282,7 +282,7 @@ TEST_CASE("Facets with a common edge cut it in the same points")
   CHECK_FALSE(parts.is_valid());
 }
 
-TEST_CASE("A disc with a hole is none")
+TEST_CASE("Truncation: a disc must not have a hole")
 {
   Parts parts = square_pyramid();
   Truncation::Disc& disc = parts.discs[0];
@@ -302,7 +302,7 @@ TEST_CASE("A disc with a hole is none")
   CHECK(parts.is_valid());
 }
 
-TEST_CASE("A fan that winds twice is no tip")
+TEST_CASE("Truncation: a fan that winds twice cannot be a tip")
 {
   // five cuts in the order of a pentagram
   Parts parts;
@@ -334,7 +334,7 @@ TEST_CASE("A fan that winds twice is no tip")
   CHECK(parts.is_valid());
 }
 
-TEST_CASE("The map of a truncation fixes what is not cut off, and returns")
+TEST_CASE("Truncation: the map fixes all points that are not cut off, and is undone by its inverse")
 {
   for(bool has_point : { false, true }) {
     const Truncation t = square_pyramid(has_point).assembled();
@@ -362,7 +362,7 @@ TEST_CASE("The map of a truncation fixes what is not cut off, and returns")
   }
 }
 
-TEST_CASE("The map of a truncation is one-to-one: it covers each disc once")
+TEST_CASE("Truncation: the map is one-to-one, and covers each disc once")
 {
   const Truncation t = square_pyramid(true).assembled();
   // A fine grid of triangles in each tip is mapped to the disc. Areas are positive, and sum to the area of the disc.
@@ -393,7 +393,7 @@ TEST_CASE("The map of a truncation is one-to-one: it covers each disc once")
   CHECK(area == Approx(expected).epsilon(1e-9));
 }
 
-TEST_CASE("The derivative of the map is that of differences")
+TEST_CASE("Truncation: the derivative of the map agrees with finite differences")
 {
   const Truncation t = square_pyramid(true).assembled();
   std::mt19937 random(1);
@@ -469,7 +469,7 @@ void check_applied(bool has_point)
 
 } // namespace
 
-TEST_CASE("A truncation is applied to meshes of several types")
+TEST_CASE("Truncation: meshes of several types can be truncated")
 {
   for(bool has_point : { false, true }) {
     check_applied<Mesh>(has_point);
@@ -477,7 +477,7 @@ TEST_CASE("A truncation is applied to meshes of several types")
   }
 }
 
-TEST_CASE("A mesh that does not have all facets of a patch stays as it is")
+TEST_CASE("Truncation: a mesh that lacks a facet of a patch is left unchanged")
 {
   const Truncation t = square_pyramid().assembled();
   for(int change = 0; change < 3; ++change) {
@@ -524,7 +524,7 @@ void check_truncated(const Mesh& start, const std::vector<Mesh::Vertex_index>& c
 
 } // namespace
 
-TEST_CASE("Discs may share facets and edges, touch the border, and replace all vertices")
+TEST_CASE("Truncation: discs may share facets and edges, touch the border, and replace all vertices")
 {
   const Mesh ball = sphere(1);
   std::vector<Mesh::Vertex_index> all(ball.vertices().begin(), ball.vertices().end());
@@ -552,7 +552,7 @@ TEST_CASE("Discs may share facets and edges, touch the border, and replace all v
   check_truncated<CGAL::Polyhedron_3<Kernel> >(roof, { apex }, 1);
 }
 
-TEST_CASE("A patch of two discs is found as a whole, or not at all")
+TEST_CASE("Truncation: a patch of two discs is matched as a whole or not at all")
 {
   const Mesh ball = sphere(1);
   const Mesh::Vertex_index v(0), beside = ball.source(ball.halfedge(v));
@@ -570,7 +570,7 @@ TEST_CASE("A patch of two discs is found as a whole, or not at all")
   CHECK(std::count(found.begin(), found.end(), Mesh::null_halfedge()) == std::ptrdiff_t(found.size()));
 }
 
-TEST_CASE("A vertex with the same neighbors in another order, or with more facets, has another patch")
+TEST_CASE("Truncation: a vertex with reordered neighbors or additional facets does not match the patch")
 {
   const Mesh start = pyramid(5, 1);
   const Truncation t = truncation_at(start, { Mesh::Vertex_index(0) }, false).assembled();
@@ -615,7 +615,7 @@ TEST_CASE("A vertex with the same neighbors in another order, or with more facet
   CHECK_FALSE(is_found(fin));
 }
 
-TEST_CASE("Only triangles that triangulate a polygon cut it")
+TEST_CASE("Truncation: a polygon is only cut into triangles that triangulate it")
 {
   typedef std::vector<std::pair<Truncation::Triangle, std::size_t> > Triangles;
   const auto is_cut = [](const Triangles& triangles) {
@@ -638,7 +638,7 @@ TEST_CASE("Only triangles that triangulate a polygon cut it")
   CHECK_FALSE(is_cut({ { { 0, 1, 3 }, 0 }, { { 0, 2, 3 }, 1 }, { { 0, 3, 4 }, 2 } }));
 }
 
-TEST_CASE("A truncation that is not valid leaves every mesh as it is")
+TEST_CASE("Truncation: an invalid truncation leaves every mesh unchanged")
 {
   Parts parts = square_pyramid();
   parts.cores.pop_back();

@@ -316,7 +316,7 @@ const BS::Lattice_3 quarters(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.25);
 
 } // namespace
 
-TEST_CASE("clipped mesh: pieces lie in their cells and facets, and their areas add up")
+TEST_CASE("Clipped mesh: pieces lie in their cells and facets, and their areas add up")
 {
   SECTION("facets larger than cells")
   {
@@ -332,7 +332,7 @@ TEST_CASE("clipped mesh: pieces lie in their cells and facets, and their areas a
   }
   // If an edge is one bit away from a plane, its points cannot be distinguished from close points, so edges are not
   // compared.
-  SECTION("edges one bit beside lattice planes")
+  SECTION("edges one ulp away from lattice planes")
   {
     check_clip(torus(1, 0.5, 12, 8), 0.25, CGAL::ORIGIN, false);
   }
@@ -344,11 +344,11 @@ TEST_CASE("clipped mesh: pieces lie in their cells and facets, and their areas a
       mesh.point(v) = Point_3(snap(mesh.point(v).x()), snap(mesh.point(v).y()), snap(mesh.point(v).z()));
     check_clip(mesh, 0.25);
   }
-  SECTION("axis-parallel, in lattice planes")
+  SECTION("axis-aligned, in lattice planes")
   {
     check_clip(box(Point_3(-.5, -.5, -.5), Point_3(.5, .5, .75)), 0.25);
   }
-  SECTION("axis-parallel, beside lattice planes")
+  SECTION("axis-aligned, next to lattice planes")
   {
     check_clip(box(Point_3(-.6, -.5, -.4), Point_3(.7, .6, .9)), 0.3);
   }
@@ -358,8 +358,7 @@ TEST_CASE("clipped mesh: pieces lie in their cells and facets, and their areas a
   }
 }
 
-TEST_CASE(
-  "cells near a mesh: all cells that samples of it are near, and none without a part of the mesh in its box, enlarged")
+TEST_CASE("Cells near a mesh: all cells near samples are found, and each has a part of the mesh in its enlarged box")
 {
   for(int subdivisions : { 0, 3 }) { // subdivisions of an icosahedron
     const BS::Input_mesh_3 input = input_of(sphere(subdivisions));
@@ -405,7 +404,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("cells near a mesh: on both sides alike, also where they are just not near")
+TEST_CASE("Cells near a mesh: both sides are treated alike, even just beyond the distance")
 {
   // The sides of a cube are between lattice planes; cells have width one.
   const BS::Input_mesh_3 input = input_of(box(Point_3(0.25, 0.25, 0.25), Point_3(1.75, 1.75, 1.75)));
@@ -416,7 +415,7 @@ TEST_CASE("cells near a mesh: on both sides alike, also where they are just not 
   CHECK(BS::cells_near_mesh<Tag>(input, lattice, 0.375).near.size() == 64);
 }
 
-TEST_CASE("clipped mesh: needles a few bits wide are not lost")
+TEST_CASE("Clipped mesh: needles a few ulps wide are not lost")
 {
   const Point_3 a(-.9, -.8, -.7), b(.8, .9, .6);
   check_clip(tetrahedron(a, a + Vector_3(1e-12, -1e-12, 0), b, a + Vector_3(0, 1e-12, -1e-12)), 0.1);
@@ -426,7 +425,7 @@ TEST_CASE("clipped mesh: needles a few bits wide are not lost")
     tetrahedron(Point_3(-1e-12, 0, -.9), Point_3(1e-12, 1e-12, -.9), Point_3(0, 0, .8), Point_3(0, -1e-12, -.9)), 0.25);
 }
 
-TEST_CASE("clipped mesh: cuts do not overshoot an edge's ends, where these lie on a plane")
+TEST_CASE("Clipped mesh: cuts do not overshoot the ends of an edge that lie on a lattice plane")
 {
   // For t close to 1, p + t (q - p) may be beyond q, and thus in another cell. Here this happens in cells with zero
   // inside.
@@ -468,7 +467,7 @@ TEST_CASE("clipped mesh: cuts do not overshoot an edge's ends, where these lie o
   CHECK(outside(Hierarchy(roots).refined({ 0 }).refined({ 0 })) == 0);
 }
 
-TEST_CASE("clipped mesh: faults that are planted are found")
+TEST_CASE("Clipped mesh: the checks of these tests detect planted errors")
 {
   // Without this test, the tests above would prove nothing.
   const BS::Input_mesh_3 input = input_of(sphere(0));
@@ -494,7 +493,7 @@ TEST_CASE("clipped mesh: faults that are planted are found")
   CHECK(faults_of(clipped, triangles, cells).normal > 0);
 }
 
-TEST_CASE("clipped mesh: a facet between two cells belongs to the one behind it")
+TEST_CASE("Clipped mesh: a facet between two cells belongs to the one behind it")
 {
   const auto check = [](const BS::Input_mesh_3& input, const auto& cells, double expected_area) {
     const Clipped clipped = BS::clip_mesh_to_cells<Tag>(input, cells);
@@ -546,7 +545,7 @@ TEST_CASE("clipped mesh: a facet between two cells belongs to the one behind it"
   CHECK(check(other, refined_at_mesh(other, other_roots, 10, 3), 6 * 0.5625 + 3 * 0.25).second > 100);
 }
 
-TEST_CASE("clipped mesh: pieces of leaves of different size lie in them and in their facets, and their areas add up")
+TEST_CASE("Clipped mesh: on a hierarchy, pieces lie in their leaves and facets, and their areas add up")
 {
   SECTION("facets larger than cells")
   {
@@ -562,11 +561,11 @@ TEST_CASE("clipped mesh: pieces of leaves of different size lie in them and in t
   }
   // A facet in a plane between leaves of different sizes is cut on one side of the plane or the other, so edges are not
   // compared.
-  SECTION("edges one bit beside lattice planes")
+  SECTION("edges one ulp away from lattice planes")
   {
     check_clip_to_leaves(torus(1, 0.5, 12, 8), 0.5, CGAL::ORIGIN, false);
   }
-  SECTION("axis-parallel, beside lattice planes")
+  SECTION("axis-aligned, next to lattice planes")
   {
     check_clip_to_leaves(box(Point_3(-.6, -.5, -.4), Point_3(.7, .6, .9)), 0.3);
   }
@@ -582,7 +581,7 @@ TEST_CASE("clipped mesh: pieces of leaves of different size lie in them and in t
   }
 }
 
-TEST_CASE("clipped mesh: where leaves of one size are all there are, they are cells of a finer lattice")
+TEST_CASE("Clipped mesh: leaves of one size yield the same pieces as cells of a finer lattice")
 {
   const BS::Input_mesh_3 input = input_of(sphere(1));
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-1.1, -1.1, -1.1, 1.1, 1.1, 1.1), 0.4),
@@ -609,7 +608,7 @@ TEST_CASE("clipped mesh: where leaves of one size are all there are, they are ce
   CHECK(wrong == 0);
 }
 
-TEST_CASE("clipped mesh: cells that are only touched get no piece")
+TEST_CASE("Clipped mesh: cells that are only touched get no piece")
 {
   // The planes at multiples of 1/4 divide the facet in x + y + z = 1 into 16 triangles, all with corners at lattice
   // points.
@@ -622,7 +621,7 @@ TEST_CASE("clipped mesh: cells that are only touched get no piece")
   }
 }
 
-TEST_CASE("clipped mesh: the same with any number of threads")
+TEST_CASE("Clipped mesh: the result does not depend on the number of threads")
 {
   const BS::Input_mesh_3 input = input_of(sphere(3)); // enough for several chunks of facets
   const auto check = [&](const auto& cells) {
@@ -643,7 +642,7 @@ TEST_CASE("clipped mesh: the same with any number of threads")
   check(refined_at_mesh(input, roots, 10, 3));
 }
 
-TEST_CASE("clipped mesh: the number of pieces is foretold to within a factor of two")
+TEST_CASE("Clipped mesh: the number of pieces is estimated within a factor of two")
 {
   // For random positions, the expected number of pieces of a facet with unit normal n is 1 + (sum of its widths) +
   // |n|_1 area, in cell units. The sum of the widths is estimated by half the perimeter, its lower bound; its upper

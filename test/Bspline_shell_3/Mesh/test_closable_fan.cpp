@@ -48,7 +48,7 @@ double turn(const std::vector<Point_3>& link, const Vector_3& g)
 
 } // namespace
 
-TEST_CASE("Fans: flat ones up to a full turn can be closed")
+TEST_CASE("Fans: flat fans of less than a full turn are closable")
 {
   for(double turns : { 0.1, 0.49, 0.5, 0.51, 0.75, 0.99 })
     CHECK(BS::is_fan_closable(CGAL::ORIGIN, spiral(turns, 0, 0, 12)));
@@ -60,7 +60,7 @@ TEST_CASE("Fans: flat ones up to a full turn can be closed")
   CHECK(BS::is_fan_closable(CGAL::ORIGIN, { Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(-2, 0, 0) }));
 }
 
-TEST_CASE("Fans: a ramp that spirals by more than a turn faces one way, and cannot be closed")
+TEST_CASE("Fans: a ramp that spirals by far more than a full turn is not closable")
 {
   CHECK_FALSE(BS::is_fan_closable(CGAL::ORIGIN, spiral(1.75, 0, 0.3, 24)));
   CHECK_FALSE(BS::is_fan_closable(CGAL::ORIGIN, spiral(2.6, 0, 0.3, 36)));
@@ -69,7 +69,7 @@ TEST_CASE("Fans: a ramp that spirals by more than a turn faces one way, and cann
   CHECK(BS::is_fan_closable(CGAL::ORIGIN, spiral(1.25, 0, 0.3, 24)));
 }
 
-TEST_CASE("Fans: the answer is that of many directions, whatever the fan")
+TEST_CASE("Fans: the exact decision agrees with trials of many directions")
 {
   CGAL::Random random(5);
   std::size_t closable = 0, others = 0;
@@ -98,13 +98,13 @@ TEST_CASE("Fans: the answer is that of many directions, whatever the fan")
     // directions are rare.
     else if(is_faced && !is_closable)
       ++others;
-    else if(is_faced) WARN("a fan can be closed about few directions only");
+    else if(is_faced) WARN("a fan is closable about few directions only");
   }
   CHECK(closable > 50);
   CHECK(others > 10);
 }
 
-TEST_CASE("Fans: a mesh with a spiral at its border is not closable, and the facets around it are named")
+TEST_CASE("Fans: a mesh with a spiral at its border is not closable, and the facets around it are reported")
 {
   Mesh mesh;
   const auto center = mesh.add_vertex(Point_3(0, 0, 0));

@@ -113,7 +113,7 @@ Mesh shuffled(const Mesh& mesh, unsigned int seed)
 
 } // namespace
 
-TEST_CASE("A copy in Morton's order is the same mesh: closed, open, of polygons, and of another type")
+TEST_CASE("Copy in Morton order: a copy is the same mesh, if closed, open, of polygons or of another type")
 {
   const Mesh ball = sphere(2), quads = box(Point_3(0, 0, 0), Point_3(1, 2, 3), false);
   check_same(ball, ball.number_of_vertices(), ball.number_of_edges());
@@ -125,7 +125,7 @@ TEST_CASE("A copy in Morton's order is the same mesh: closed, open, of polygons,
   check_same(polyhedron, ball.number_of_vertices(), ball.number_of_edges());
 }
 
-TEST_CASE("A copy in Morton's order has nothing of what was removed, no isolated vertices, and no edge without facets")
+TEST_CASE("Copy in Morton order: a copy has no removed elements, no isolated vertices and no edges without facets")
 {
   Mesh mesh = sphere(2);
   for(int n : { 7, 100, 101 }) CGAL::Euler::remove_face(mesh.halfedge(Mesh::Face_index(n)), mesh);
@@ -148,7 +148,7 @@ TEST_CASE("A copy in Morton's order has nothing of what was removed, no isolated
   check_same(mesh, vertices, before);
 }
 
-TEST_CASE("A copy in Morton's order keeps a vertex with two fans as one")
+TEST_CASE("Copy in Morton order: a vertex with two fans remains one vertex")
 {
   Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   CGAL::copy_face_graph(box(Point_3(1, 1, 1), Point_3(2, 2, 2)), mesh);
@@ -168,7 +168,7 @@ TEST_CASE("A copy in Morton's order keeps a vertex with two fans as one")
   CHECK(leads_to_middle(copy) == leads_to_middle(mesh));
 }
 
-TEST_CASE("A copy in Morton's order does not depend on the order of vertices, facets and corners, nor on threads")
+TEST_CASE("Copy in Morton order: a copy depends neither on the order of vertices, facets and corners, nor on threads")
 {
   const Mesh mesh = demo_mesh("elephant.off");
   const auto [copy, origin] = copied(mesh);
@@ -186,8 +186,7 @@ TEST_CASE("A copy in Morton's order does not depend on the order of vertices, fa
   }
 }
 
-TEST_CASE(
-  "In a copy in Morton's order, facets that follow each other are near each other, and begin at their lowest vertex")
+TEST_CASE("Copy in Morton order: consecutive facets are close to each other, and begin at their lowest vertex")
 {
   const Mesh mesh = shuffled(sphere(4), 3);
   const auto [copy, origin] = copied(mesh);
@@ -208,7 +207,7 @@ TEST_CASE(
   CHECK(way < 0.1 * double(copy.number_of_faces()));
 }
 
-TEST_CASE("A mesh whose copy has more elements than 32 bits can number is recognized")
+TEST_CASE("Copy in Morton order: a mesh with too many elements for 32-bit indices is detected")
 {
   const auto size = [](std::size_t vertices, std::size_t edges) { return BSI::Mesh_size{ vertices, edges }; };
   const std::size_t half = std::size_t(1) << 31;

@@ -39,19 +39,24 @@ Mesh bipyramid(int corners, int step, double height = 1)
   return mesh;
 }
 
+std::size_t winding_number(const Mesh& mesh, Mesh::Vertex_index v, const Point_3& on_axis)
+{
+  return BS::link_winding_number(mesh.point(v), on_axis, BS::internal::vertex_link(mesh, v));
+}
+
 } // namespace
 
-TEST_CASE("Fan winding: as often as the link goes round")
+TEST_CASE("Fan winding: the winding number is the number of turns of the link")
 {
   for(int corners : { 3, 4, 5, 7, 12 })
     for(int step = 1; 2 * step < corners; ++step) {
       if(corners == 12 && step != 1 && step != 5) continue; // otherwise the polygon would close too early
       CAPTURE(corners, step);
       const Mesh mesh = bipyramid(corners, step);
-      CHECK(BS::fan_winding_number(mesh, Mesh::Vertex_index(0), Point_3(0, 0, 2)) == std::size_t(step));
-      CHECK(BS::fan_winding_number(mesh, Mesh::Vertex_index(1), Point_3(0, 0, -2)) == std::size_t(step));
+      CHECK(winding_number(mesh, Mesh::Vertex_index(0), Point_3(0, 0, 2)) == std::size_t(step));
+      CHECK(winding_number(mesh, Mesh::Vertex_index(1), Point_3(0, 0, -2)) == std::size_t(step));
       // The facets face the other way.
-      CHECK(BS::fan_winding_number(mesh, Mesh::Vertex_index(0), Point_3(0, 0, -2)) == 0);
+      CHECK(winding_number(mesh, Mesh::Vertex_index(0), Point_3(0, 0, -2)) == 0);
     }
   // A facet whose plane contains the axis does not face it.
   const std::vector<Point_3> link = { Point_3(0, -1, -1), Point_3(0, 1, -1), Point_3(-1, 0, -1) };
@@ -64,12 +69,12 @@ TEST_CASE("Fan winding: as often as the link goes round")
     REQUIRE(g);
     for(auto h : CGAL::halfedges_around_target(v, mesh)) {
       mesh.set_halfedge(v, h);
-      CHECK(BS::fan_winding_number(mesh, v, mesh.point(v) + *g) == 1);
+      CHECK(winding_number(mesh, v, mesh.point(v) + *g) == 1);
     }
   }
 }
 
-TEST_CASE("Embedded fans: they wind once around the mean of the normals that all of their facets face")
+TEST_CASE("Embedded fans: a fan is embedded if all facets face their mean normal, and the fan winds once around it")
 {
   const auto are_tips_embedded = [](const Mesh& mesh) {
     const std::vector<char> sequential = BS::embedded_fans<CGAL::Sequential_tag>(mesh);
@@ -113,7 +118,7 @@ TEST_CASE("Embedded fans: they wind once around the mean of the normals that all
   CHECK_FALSE(is_embedded[isolated]);
 }
 
-TEST_CASE("Cones: none where two facets face opposite ways, however a direction between them is rounded")
+TEST_CASE("Cones: two opposite facets have no cone direction, however directions between them are rounded")
 {
   // Coordinates are so large that products of two are rounded, but differences are not.
   CGAL::Random random(5);
@@ -141,7 +146,7 @@ TEST_CASE("Cones: none where two facets face opposite ways, however a direction 
   CHECK_FALSE(BS::internal::cone_direction(upright));
 }
 
-TEST_CASE("Cone margin: of a pyramid it is the cosine of its slope")
+TEST_CASE("Cone margin: the margin of a pyramid is the cosine of its slope")
 {
   for(double height : { 1e-3, 0.5, 1., 20. })
     for(int corners : { 3, 4, 9 }) {
@@ -156,7 +161,7 @@ TEST_CASE("Cone margin: of a pyramid it is the cosine of its slope")
   for(auto v : cube.vertices()) CHECK(BS::vertex_cone_margin(cube, v) == Approx(1 / std::sqrt(3.)));
 }
 
-TEST_CASE("Bounded cone margin: the margin, up to the bound, and none at a singular vertex")
+TEST_CASE("Bounded cone margin: the result is the margin up to the bound, and missing at a singular vertex")
 {
   Mesh mesh = torus(3, 1, 9, 7);
   CGAL::Random random(3);
@@ -178,7 +183,8 @@ TEST_CASE("Bounded cone margin: the margin, up to the bound, and none at a singu
   CHECK(singular > 0);
 }
 
-TEST_CASE("Crossings: signed, exact, and none where the segment touches an edge, a vertex or ends on a facet")
+TEST_CASE(
+  "Crossings: crossings are signed and exact, and undefined if a segment touches an edge or vertex, or ends on a facet")
 {
   Mesh mesh = sphere(2);
   CGAL::copy_face_graph(sphere(1, 0.5), mesh);
@@ -209,8 +215,7 @@ TEST_CASE("Crossings: signed, exact, and none where the segment touches an edge,
   CHECK(of_cube.crossings(Point_3(0.1, 0.2, 0), Point_3(0.1, 0.2, std::nextafter(1., 0.)))->empty());
 }
 
-TEST_CASE("Crossings: the first segments, which are compared with all facets, and later ones, for which there is a "
-          "tree, cross the same facets")
+TEST_CASE("Crossings: comparing all facets and searching the tree yield the same crossings")
 {
   Mesh mesh = sphere(5); // more facets than a thread compares at once
   CGAL::copy_face_graph(sphere(1, 0.5), mesh);
@@ -234,7 +239,7 @@ TEST_CASE("Crossings: the first segments, which are compared with all facets, an
   }
 }
 
-TEST_CASE("Arithmetic: this build passes its self-test, in every rounding mode, which it leaves alone")
+TEST_CASE("Arithmetic: this build passes its self-test in every rounding mode, and the mode is preserved")
 {
   CHECK(BS::arithmetic_self_test() == BS::Arithmetic_status::SOUND);
   for(int n = 0; n <= int(BS::Arithmetic_status::NO_DIRECTED_ROUNDING); ++n)
@@ -249,8 +254,7 @@ TEST_CASE("Arithmetic: this build passes its self-test, in every rounding mode, 
   }
 }
 
-TEST_CASE("Crossings: an edge or a vertex is touched, whichever of a facet's corners is its first, so is a facet on "
-          "which an end lies")
+TEST_CASE("Crossings: touching an edge, a vertex or a facet is detected, whichever corner of a facet is the first")
 {
   Mesh cube = box(Point_3(-1, -1, -1), Point_3(1, 1, 1));
   for(int turn = 0; turn < 3; ++turn) {
@@ -285,7 +289,7 @@ TEST_CASE("Crossings: an edge or a vertex is touched, whichever of a facet's cor
   }
 }
 
-TEST_CASE("Fan winding: an axis in the plane of a facet is faced by none, one just beside it by all")
+TEST_CASE("Fan winding: an axis in the plane of a facet is not faced, and an axis 1e-12 away is decided correctly")
 {
   const std::vector<Point_3> link = { Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(-1, 0, 0), Point_3(0, -1, 0) };
   const Point_3 apex(0, 0, 1);

@@ -67,7 +67,8 @@ Vector_3 random_vector(CGAL::Random& random)
 
 } // namespace
 
-TEST_CASE("Facet normals: the exact one is enclosed, of facets of all shapes and sizes, near the origin and far away")
+TEST_CASE(
+  "Facet normals: the exact normal is enclosed for facets of all shapes and sizes, near the origin and far away")
 {
   CGAL::Random random(1);
   for(int n = 0; n < 4000; ++n) {
@@ -79,7 +80,7 @@ TEST_CASE("Facet normals: the exact one is enclosed, of facets of all shapes and
   }
 }
 
-TEST_CASE("Facet normals: those whose products vanish are enclosed as others are")
+TEST_CASE("Facet normals: the exact normal is enclosed, even if products underflow")
 {
   CGAL::Random random(2);
   for(int exponent : { -100, -400, -480, -500, -512, -520, -530, -537 })
@@ -90,7 +91,7 @@ TEST_CASE("Facet normals: those whose products vanish are enclosed as others are
     }
 }
 
-TEST_CASE("Facet normals: the other side for the other order of corners, also where it is exact")
+TEST_CASE("Facet normals: reversing the corners reverses the normal, even if the normal is computed exactly")
 {
   const Point_3 p(0, 0, 0), q(1, 1, 1);
   for(double width : { 1., 1e-3, 1e-9, 1e-14 }) {

@@ -77,7 +77,7 @@ void check(const Mesh& mesh, bool has_grid = true)
 
 } // namespace
 
-TEST_CASE("Intersecting facets: none in a sphere, and in two beside or inside of each other")
+TEST_CASE("Intersecting facets: there are none in a sphere, or in two spheres side by side or nested")
 {
   const Mesh ball = sphere(4);
   CHECK(of_all_pairs(ball).empty());
@@ -86,7 +86,7 @@ TEST_CASE("Intersecting facets: none in a sphere, and in two beside or inside of
   check(together(ball, moved(ball, Kernel::Vector_3(0, 0, 0), 0.9)));
 }
 
-TEST_CASE("Intersecting facets: where spheres meet, touch, or coincide, on planes between cells and elsewhere")
+TEST_CASE("Intersecting facets: spheres that meet, touch or coincide have the pairs that a test of all pairs finds")
 {
   const Mesh ball = sphere(4);
   for(double x : { 0.5, 1., 1.3, 2. }) {
@@ -117,7 +117,7 @@ TEST_CASE("Intersecting facets: a single facet through the surface is found wher
   }
 }
 
-TEST_CASE("Intersecting facets: those with a common vertex, where its fan folds, winds twice, or is embedded")
+TEST_CASE("Intersecting facets: folded, doubly wound and embedded fans have the pairs that a test of all pairs finds")
 {
   const Mesh ball = sphere(4);
   // A vertex is moved over its neighbors, or downwards.
@@ -154,7 +154,7 @@ TEST_CASE("Intersecting facets: those with a common vertex, where its fan folds,
   }
 }
 
-TEST_CASE("Intersecting facets: facets of all sizes, also larger than many cells, and flat meshes")
+TEST_CASE("Intersecting facets: facets of all sizes, even larger than many cells, and flat meshes are tested correctly")
 {
   const Mesh ball = sphere(4);
   check(together(ball, moved(sphere(0), Kernel::Vector_3(0.3, 0.2, 0.1), 1.1)));
@@ -173,8 +173,7 @@ TEST_CASE("Intersecting facets: facets of all sizes, also larger than many cells
   CHECK(found<CGAL::Sequential_tag>(needles, unlimited, 100) == of_all_pairs(needles));
 }
 
-TEST_CASE("Intersecting facets: so many pairs as are asked for, the same with any number of threads, coordinates "
-          "without a grid")
+TEST_CASE("Intersecting facets: the requested number of pairs is found, for any number of threads, even without a grid")
 {
   const Mesh ball = sphere(4), both = together(ball, moved(ball, Kernel::Vector_3(0.5, 0, 0)));
   const Pairs all = of_all_pairs(both);

@@ -85,7 +85,7 @@ void check_triangulation(const std::vector<Point_2>& polygon)
 
 } // namespace
 
-TEST_CASE("Polygons: convex and non-convex ones, turned either way, are triangulated")
+TEST_CASE("Polygons: convex and non-convex polygons of either orientation are triangulated")
 {
   const std::vector<std::vector<Point_2> > polygons = {
     { { 0, 0 }, { 1, 0 }, { 0, 1 } },
@@ -123,7 +123,7 @@ TEST_CASE("Polygons: convex and non-convex ones, turned either way, are triangul
     }
 }
 
-TEST_CASE("Polygons: star-shaped ones with many spikes, and with corners that are straight, are triangulated")
+TEST_CASE("Polygons: star-shaped polygons with many spikes, and with straight corners, are triangulated")
 {
   CGAL::Random random(3);
   for(int n : { 5, 12, 60, 300 })
@@ -143,7 +143,7 @@ TEST_CASE("Polygons: star-shaped ones with many spikes, and with corners that ar
     }
 }
 
-TEST_CASE("Polygons: the better diagonal of a quadrangle is taken")
+TEST_CASE("Polygons: the better diagonal of a quadrangle is chosen")
 {
   // Along the axis of this kite, the triangles would be needles.
   const Triangles triangles = BS::triangulate_polygon({ { 0, 0, 0 }, { 1, -0.1, 0 }, { 2, 0, 0 }, { 1, 0.1, 0 } });
@@ -154,7 +154,7 @@ TEST_CASE("Polygons: the better diagonal of a quadrangle is taken")
   }
 }
 
-TEST_CASE("Polygons: those that cannot be triangulated come back as triangles all the same")
+TEST_CASE("Polygons: a polygon that cannot be triangulated still yields triangles")
 {
   const std::vector<std::vector<Point_3> > polygons = {
     { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } }, // no area

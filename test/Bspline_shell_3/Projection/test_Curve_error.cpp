@@ -37,7 +37,7 @@ Curve_error along(const Uniform_field& field, const std::vector<Vector>& curve, 
 
 } // namespace
 
-TEST_CASE("Curve error: the divergence has the eigenvalues of the Hessian across the gradient")
+TEST_CASE("Curve error: the divergence follows from the eigenvalues of the Hessian across the gradient")
 {
   // f = x + (y^2 + 3 z^2 + 4 y z) / 2 on the x axis
   const Uniform_field flat = uniform_field(
@@ -53,7 +53,7 @@ TEST_CASE("Curve error: the divergence has the eigenvalues of the Hessian across
   }
 }
 
-TEST_CASE("Curve error: an error grows as curves diverge, forwards and backwards")
+TEST_CASE("Curve error: errors grow as curves diverge, forwards and backwards")
 {
   // Along a ray of f = |x|^2, distances between curves are proportional to the radius.
   const Uniform_field spheres = uniform_field({ { 1, { 2, 0, 0 } }, { 1, { 0, 2, 0 } }, { 1, { 0, 0, 2 } } });
@@ -77,8 +77,7 @@ TEST_CASE("Curve error: an error grows as curves diverge, forwards and backwards
   }
 }
 
-TEST_CASE(
-  "Curve error: curves are traced again until the tolerance is kept, and the status is another one if it cannot be")
+TEST_CASE("Curve error: curves are traced again until the tolerance is met, or the status is a failure")
 {
   struct Result
   {

@@ -197,7 +197,7 @@ double largest_error(const Shell& shell, const Example& example, const Frame& fr
 
 } // namespace
 
-TEST_CASE("Gradient flow: closed forms of curves are what they are said to be")
+TEST_CASE("Gradient flow: the closed forms that these tests use are correct")
 {
   // First, the oracle is checked: arrivals are on the level, and move along the gradient.
   for(const Example& example : examples())
@@ -225,7 +225,7 @@ TEST_CASE("Gradient flow: closed forms of curves are what they are said to be")
     }
 }
 
-TEST_CASE("Gradient flow: arrivals are within the tolerance, on cells of one size and of several")
+TEST_CASE("Gradient flow: end points are within the tolerance, on uniform and on hierarchical cells")
 {
   for(const Example& example : examples()) {
     const Uniform_shell uniform = shell_of(uniform_field(example.polynomial), -infinity, infinity);
@@ -243,7 +243,7 @@ TEST_CASE("Gradient flow: arrivals are within the tolerance, on cells of one siz
   }
 }
 
-TEST_CASE("Gradient flow: neither scale nor place matter")
+TEST_CASE("Gradient flow: end points are within the tolerance, at any scale and position")
 {
   for(const Frame& frame :
       { Frame{ Vector(0, 0, 0), 1e-6 }, Frame{ Vector(0, 0, 0), 1e6 }, Frame{ Vector(0, 0, 0), 1e-100 },
@@ -260,7 +260,7 @@ TEST_CASE("Gradient flow: neither scale nor place matter")
     }
 }
 
-TEST_CASE("Gradient flow: the default tolerance is 1e-9 of the box near the origin")
+TEST_CASE("Gradient flow: near the origin, the default tolerance is 1e-9 of the box")
 {
   const Uniform_shell shell = shell_of(uniform_field(squared_distance), -infinity, infinity);
   CHECK(BS::Gradient_flow_3<Uniform_shell>(shell).tolerance() == 1e-9 * shell.report().unit);
@@ -269,7 +269,8 @@ TEST_CASE("Gradient flow: the default tolerance is 1e-9 of the box near the orig
   CHECK(largest_error(shell, spheres(), Frame(), 0, 0.07, 0.9) <= 2e-9);
 }
 
-TEST_CASE("Gradient flow: curves along faces, edges and diagonals of cells, and through their corners")
+TEST_CASE(
+  "Gradient flow: curves along faces, edges and diagonals of cells, and through corners, are exact up to rounding")
 {
   // All values are exact, and so are straight curves, except where they leave cells: a millionth of a cell beyond the
   // faces, with the rounding of the neighbor.
@@ -319,7 +320,7 @@ TEST_CASE("Gradient flow: curves along faces, edges and diagonals of cells, and 
   }
 }
 
-TEST_CASE("Gradient flow: what is exactly on a threshold is in the shell, as start and as end")
+TEST_CASE("Gradient flow: points exactly on a threshold are in the shell, as start and end points")
 {
   const Uniform_shell slab = shell_of(uniform_field({ { 1, { 1, 0, 0 } } }), -0.25, 0.625);
   const BS::Gradient_flow_3<Uniform_shell> flow(slab);
@@ -351,7 +352,7 @@ TEST_CASE("Gradient flow: what is exactly on a threshold is in the shell, as sta
   }
 }
 
-TEST_CASE("Gradient flow: a point that cannot be moved has a status that says why")
+TEST_CASE("Gradient flow: a point that cannot be moved has a status with the reason")
 {
   const Uniform_shell shell = shell_of(uniform_field(squared_distance), 0.25, 0.49);
   const BS::Gradient_flow_3<Uniform_shell> flow(shell);
@@ -404,7 +405,7 @@ TEST_CASE("Gradient flow: a point that cannot be moved has a status that says wh
   for(int s = 0; s <= int(Flow_status::CANCELED); ++s) CHECK(std::strlen(message(Flow_status(s))) > 10);
 }
 
-TEST_CASE("Gradient flow: a curve that runs into a critical point does not come out of it")
+TEST_CASE("Gradient flow: a curve that reaches a critical point does not continue beyond it")
 {
   // Minima, and saddles that curves reach along an axis. Near the value zero, the resolution of values is higher.
   const Polynomial minimum = squared_distance, saddle = { { 1, { 2, 0, 0 } }, { -1, { 0, 0, 2 } }, { 1, { 0, 2, 0 } } },
@@ -443,7 +444,7 @@ TEST_CASE("Gradient flow: a curve that runs into a critical point does not come 
         == Flow_status::GRADIENT_VANISHES);
 }
 
-TEST_CASE("Gradient flow: thresholds that vary end curves where they are")
+TEST_CASE("Gradient flow: curves end at varying thresholds")
 {
   // f = x, between -1/2 and 0.4 + y^2 / 4
   const Uniform_field field = uniform_field({ { 1, { 1, 0, 0 } } });
@@ -466,7 +467,7 @@ TEST_CASE("Gradient flow: thresholds that vary end curves where they are")
   }
 }
 
-TEST_CASE("Gradient flow: there and back again is the start")
+TEST_CASE("Gradient flow: tracing there and back returns to the start")
 {
   for(const Example& example : examples()) {
     const Hierarchical_shell shell = shell_of(hierarchical_field(example.polynomial), -infinity, infinity);
@@ -481,7 +482,7 @@ TEST_CASE("Gradient flow: there and back again is the start")
   }
 }
 
-TEST_CASE("Gradient flow: the differential is that of closed forms, and its restrictions are")
+TEST_CASE("Gradient flow: the differential and its restrictions agree with closed forms")
 {
   const Frame frame{ Vector(10, -20, 30), 50 };
   for(const Example& example : examples()) {
@@ -534,7 +535,7 @@ TEST_CASE("Gradient flow: the differential is that of closed forms, and its rest
   }
 }
 
-TEST_CASE("Gradient flow: the differential from the center to a sphere scales, on the sphere")
+TEST_CASE("Gradient flow: the differential from one sphere to another scales tangent vectors")
 {
   const Uniform_shell shell = shell_of(uniform_field(squared_distance), 0.2, 0.9);
   const BS::Gradient_flow_3<Uniform_shell> flow(shell);
@@ -546,7 +547,7 @@ TEST_CASE("Gradient flow: the differential from the center to a sphere scales, o
   CHECK((d.onto_level_set() - stretch * (Matrix::Identity() - n * n.transpose())).norm() < 1e-8);
 }
 
-TEST_CASE("Gradient flow: points of any kind are starts, and the result does not depend on it")
+TEST_CASE("Gradient flow: the result does not depend on the type of the start point")
 {
   const Uniform_shell shell = shell_of(uniform_field(cubics().polynomial), -infinity, infinity);
   const BS::Gradient_flow_3<Uniform_shell> flow(shell);

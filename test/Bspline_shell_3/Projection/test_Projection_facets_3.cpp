@@ -56,8 +56,7 @@ double sampled_distance(const Facets& facets, Index f, const Coordinates& p)
 
 } // namespace
 
-TEST_CASE("Projection facets: the closest one is as near as any, for points on the mesh, near and far, and what is no "
-          "point does no harm")
+TEST_CASE("Projection facets: the closest facet is found at any distance, and some facet for NaN or infinity")
 {
   for(const Mesh& mesh : { sphere(0), sphere(2), torus(3, 1, 40, 20), triangle() }) {
     const BS::Projection_target_3<Mesh> facets(mesh, mesh.points());
@@ -85,7 +84,8 @@ TEST_CASE("Projection facets: the closest one is as near as any, for points on t
   }
 }
 
-TEST_CASE("Projection facets: boxes meet the facets whose boxes they meet, lines those that they pass through")
+TEST_CASE(
+  "Projection facets: a box finds the facets whose boxes it meets, and a line the facets that it passes through")
 {
   for(const Mesh& mesh : { sphere(0), torus(3, 1, 40, 20), triangle() }) {
     const BS::Projection_target_3<Mesh> facets(mesh, mesh.points());

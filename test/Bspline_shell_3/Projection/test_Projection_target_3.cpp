@@ -44,7 +44,7 @@ double distance(const Coordinates& p, const Coordinates& q)
 
 } // namespace
 
-TEST_CASE("Traced facets are neighbors across each of their edges")
+TEST_CASE("Projection target: traced facets are neighbors across each of their edges")
 {
   const Mesh mesh = ball();
   for(bool has_point : { false, true }) {
@@ -69,7 +69,7 @@ TEST_CASE("Traced facets are neighbors across each of their edges")
   }
 }
 
-TEST_CASE("Places of the mesh are traced to the truncated mesh, and back")
+TEST_CASE("Projection target: places on the mesh are traced to the truncated mesh, and back")
 {
   const Mesh mesh = ball();
   const Target target(mesh, mesh.points(), truncation_at(mesh, centers(), true).shared());
@@ -85,7 +85,8 @@ TEST_CASE("Places of the mesh are traced to the truncated mesh, and back")
   CHECK(moved > 50);
 }
 
-TEST_CASE("Vertices that are cut off are traced from the middles of their discs, the others from where they are")
+TEST_CASE(
+  "Projection target: vertices that are cut off are traced from the middles of their discs, and others in place")
 {
   const Mesh mesh = ball();
   const auto truncation = truncation_at(mesh, centers(), true).shared();
@@ -99,7 +100,7 @@ TEST_CASE("Vertices that are cut off are traced from the middles of their discs,
   }
 }
 
-TEST_CASE("Tips of meshes with lazy coordinates are found by the rounded coordinates")
+TEST_CASE("Projection target: tips of meshes with lazy coordinates are found by their rounded coordinates")
 {
   typedef CGAL::Exact_predicates_exact_constructions_kernel Lazy_kernel;
   typedef CGAL::Surface_mesh<Lazy_kernel::Point_3> Lazy_mesh;

@@ -40,7 +40,7 @@ bool same(const Image& a, const Image& b)
 
 } // namespace
 
-TEST_CASE("Shell map: a vertex has the image of its point")
+TEST_CASE("Shell map: a vertex has the same image as its point")
 {
   const Mesh a = sphere(2, 0.7), b = turned(sphere(2, 0.85), 0.3);
   const Map map(ball(), a, b);
@@ -53,7 +53,7 @@ TEST_CASE("Shell map: a vertex has the image of its point")
   }
 }
 
-TEST_CASE("Shell map: locations are those of Polygon_mesh_processing, and their images those of their points")
+TEST_CASE("Shell map: locations agree with Polygon_mesh_processing, and have the images of their points")
 {
   const Mesh a = sphere(2, 0.7), b = turned(sphere(2, 0.85), 0.3);
   const Map map(ball(), a, b);
@@ -80,7 +80,7 @@ TEST_CASE("Shell map: locations are those of Polygon_mesh_processing, and their 
   }
 }
 
-TEST_CASE("Shell map: the inverse goes back, and shares what was prepared")
+TEST_CASE("Shell map: the inverse maps back, and shares the prepared data")
 {
   const Mesh a = sphere(2, 0.7), b = turned(sphere(2, 0.85), 0.3);
   std::optional<Map> map(std::in_place, ball(), a, b);
@@ -106,7 +106,7 @@ TEST_CASE("Shell map: the inverse goes back, and shares what was prepared")
              copy(Location(Mesh::Face_index(3), { 0.2, 0.3, 0.5 }))));
 }
 
-TEST_CASE("Shell map: named parameters: tolerance, points elsewhere, visitor")
+TEST_CASE("Shell map: named parameters set the tolerance, the points and the visitor")
 {
   Mesh a = sphere(1, 0.7), b = sphere(1, 0.85);
   const Map map(ball(), a, b);
@@ -148,7 +148,7 @@ TEST_CASE("Shell map: named parameters: tolerance, points elsewhere, visitor")
   CHECK(visitor.last == locations.size());
 }
 
-TEST_CASE("Shell map: meshes of two types, and the types of locations that belong to them")
+TEST_CASE("Shell map: source and target may have different types, with their own types of locations")
 {
   typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
   const Mesh a = sphere(1, 0.7);
@@ -167,7 +167,7 @@ TEST_CASE("Shell map: meshes of two types, and the types of locations that belon
   }
 }
 
-TEST_CASE("Shell map: if one of the meshes is not valid, nothing has an image")
+TEST_CASE("Shell map: if one of the meshes is invalid, no point has an image")
 {
   const Mesh good = sphere(1, 0.7), quads = box(Point_3(-0.5, -0.5, -0.5), Point_3(0.5, 0.5, 0.5), false);
   const Location l(*good.faces_begin(), { 0.2, 0.3, 0.5 }), m(*quads.faces_begin(), { 0.2, 0.3, 0.5 });
@@ -178,7 +178,7 @@ TEST_CASE("Shell map: if one of the meshes is not valid, nothing has an image")
   CHECK(from.inverse()(l).status == Flow_status::INVALID_MESH);
 }
 
-TEST_CASE("Shell map: without a shell, nothing has an image, and the status says so")
+TEST_CASE("Shell map: without a shell, no point has an image, and the status states this")
 {
   const Mesh a = sphere(1, 0.7), b = sphere(1, 0.85);
   const Polynomial_shell none;

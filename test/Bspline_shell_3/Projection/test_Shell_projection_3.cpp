@@ -178,7 +178,7 @@ bool same(const Image& a, const Image& b)
 
 } // namespace
 
-TEST_CASE("Projection: from a sphere to a polyhedron, images are where exact rays meet it")
+TEST_CASE("Projection: in a shell between spheres, images on a polyhedron are where exact rays meet it")
 {
   const Mesh mesh = sphere(1, 0.85);
   for(double tolerance : { 0., 1e-6, 1e-12 }) {
@@ -251,7 +251,7 @@ TEST_CASE("Projection: a mesh is mapped to itself by the identity")
   }
 }
 
-TEST_CASE("Projection: needles, caps and facets of very different sizes are targets as others are")
+TEST_CASE("Projection: needles, caps and facets of very different sizes are valid targets")
 {
   // Steps in x begin at 1e-7; there are rows of needles.
   const std::vector<double> xs = { -0.8, -0.5, -0.5 + 1e-7, -0.5 + 3e-7, -0.1, 0, 1e-6, 1e-4, 0.01, 0.8 },
@@ -288,7 +288,7 @@ TEST_CASE("Projection: needles, caps and facets of very different sizes are targ
     if(!mesh.is_border(v)) CHECK(distance(project(mesh.point(v)).point, mesh.point(v)) <= project.tolerance());
 }
 
-TEST_CASE("Projection: the image is on the sheet that the curve meets, not on the nearest one")
+TEST_CASE("Projection: the image is on the sheet that the curve meets, not on the closest one")
 {
   // f = z^2 increases away from the plane z = 0, so the shell has two parts.
   const Shell shell = shell_of(uniform_field({ { 1, { 0, 0, 2 } } }), 0.01, 0.8);
@@ -310,7 +310,7 @@ TEST_CASE("Projection: the image is on the sheet that the curve meets, not on th
   }
 }
 
-TEST_CASE("Projection: what has no image has a status, and nothing else")
+TEST_CASE("Projection: a point without an image has a status, and no other data")
 {
   const Point_3 p(0.1, 0.2, 0.8);
   const auto check = [](const Image& image, Flow_status status) {
@@ -334,7 +334,8 @@ TEST_CASE("Projection: what has no image has a status, and nothing else")
 
   Mesh turned = good;
   CGAL::Polygon_mesh_processing::reverse_face_orientations(turned);
-  for(const Point_3& q : random_points(50)) check(projection(radial_shell(), turned)(q), Flow_status::WRONG_ORIENTATION);
+  for(const Point_3& q : random_points(50))
+    check(projection(radial_shell(), turned)(q), Flow_status::WRONG_ORIENTATION);
 
   const Mesh empty;
   CHECK(projection(radial_shell(), empty).target().is_valid());
@@ -356,7 +357,7 @@ TEST_CASE("Projection: what has no image has a status, and nothing else")
   }
 }
 
-TEST_CASE("Projection: through holes curves leave the shell, beside them they do not")
+TEST_CASE("Projection: curves leave the shell through holes, and not beside them")
 {
   Mesh mesh = sphere(1, 0.85);
   std::vector<Point_3> removed;
@@ -385,7 +386,7 @@ TEST_CASE("Projection: through holes curves leave the shell, beside them they do
   CHECK(projection(radial_shell(), mesh)(CGAL::centroid(t[0], t[1], t[2])).status == Flow_status::LEAVES_SHELL);
 }
 
-TEST_CASE("Projection: with one thread and with several, images are the same, bit by bit")
+TEST_CASE("Projection: images do not depend on the number of threads, bit for bit")
 {
   const Mesh mesh = sphere(2, 0.85);
   std::vector<Point_3> points = random_points(40000);
@@ -413,7 +414,7 @@ TEST_CASE("Projection: with one thread and with several, images are the same, bi
   CHECK(distance(loose[0].point, projection(radial_shell(), mesh, 1e-3)(points[0]).point) <= 2e-3);
 }
 
-TEST_CASE("Projection: wherever the search begins, the image is the same up to the tolerance")
+TEST_CASE("Projection: the start of the search affects the image by no more than the tolerance")
 {
   const Mesh mesh = sphere(3, 0.85);
   const Projection project = projection(radial_shell(), mesh);
@@ -467,7 +468,7 @@ TEST_CASE("Projection: wherever the search begins, the image is the same up to t
   CHECK(hint.facet == 1);
 }
 
-TEST_CASE("Projection: a walk over edges finds the facet on a line that the tree finds, or none")
+TEST_CASE("Projection: a walk over edges finds the same facet on a line as the tree, or none")
 {
   const Mesh mesh = sphere(3, 0.85);
   const Projection project = projection(radial_shell(), mesh);
@@ -505,7 +506,7 @@ TEST_CASE("Projection: a walk over edges finds the facet on a line that the tree
   CHECK(of_plane.facet_on_line_near(at(-0.88, 0.52), { -0.95, 0.52, 0.5 }, { 0, 0, 1 }, -1, 1) == npos);
 }
 
-TEST_CASE("Projection: a visitor is told how much is done, and stops the rest")
+TEST_CASE("Projection: a visitor is called with the progress, and can stop it")
 {
   struct Visitor
   {
@@ -546,7 +547,7 @@ TEST_CASE("Projection: a visitor is told how much is done, and stops the rest")
   CHECK(canceled == points.size() - done);
 }
 
-TEST_CASE("Projection: Polyhedron_3, removed elements, other points, and points elsewhere are targets")
+TEST_CASE("Projection: targets may be Polyhedron_3, or have removed elements, other points, or points stored elsewhere")
 {
   const Mesh mesh = sphere(1, 0.85);
   const std::vector<Point_3> points = random_points(500);
@@ -597,7 +598,7 @@ TEST_CASE("Projection: Polyhedron_3, removed elements, other points, and points 
   }
 }
 
-TEST_CASE("Projection: facets thinner than rounding may have no images, but none that are wrong")
+TEST_CASE("Projection: facets thinner than rounding may have no images, but never wrong ones")
 {
   // Heights go down to 1e-18: vertices are rounded, and facets may face any direction.
   CGAL::Random random(8);
@@ -625,7 +626,7 @@ TEST_CASE("Projection: facets thinner than rounding may have no images, but none
   CHECK(found > 900);
 }
 
-TEST_CASE("Projection: points next to edges shorter than rounding, on needles, are not lost")
+TEST_CASE("Projection: points on needles, next to edges shorter than rounding, have images")
 {
   for(double length : { 1e-15, 3.8e-17, 1e-20 }) {
     const Mesh mesh = icosahedron_with_needles(length);
@@ -652,7 +653,7 @@ TEST_CASE("Projection: points next to edges shorter than rounding, on needles, a
   }
 }
 
-TEST_CASE("Projection: a point of a facet, however thin, is found where it is")
+TEST_CASE("Projection: a point of a facet is located correctly, however thin the facet")
 {
   CGAL::Random random(12);
   const auto coordinate = [&]() { return random.get_double(-1, 1); };
@@ -674,7 +675,7 @@ TEST_CASE("Projection: a point of a facet, however thin, is found where it is")
   }
 }
 
-TEST_CASE("Projection: the differential is that of finite differences within a facet")
+TEST_CASE("Projection: the differential agrees with finite differences within a facet")
 {
   // The curves are not straight.
   const Shell shell = shell_of(uniform_field({ { 1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } }, { 1, { 0, 0, 1 } } }), -0.9,

@@ -88,7 +88,7 @@ void check_round_trips(const Shell& shell, const Mesh& a, const Mesh& b)
 
 } // namespace
 
-TEST_CASE("Round trips: on ten meshes, no point is lost and all return", "[slow]")
+TEST_CASE("Round trips: on ten meshes, every point has an image and returns", "[slow]")
 {
   for(const char* name : { "tetrahedron", "cube", "octahedron", "icosahedron", "cross", "tripod", "part", "ellipsoid",
                            "sphere", "eight" }) {
@@ -115,7 +115,7 @@ TEST_CASE("Round trips: far from the origin, the default tolerance allows for th
   }
 }
 
-TEST_CASE("Round trips: between meshes that have no facet in common")
+TEST_CASE("Round trips: points return between meshes without a common facet")
 {
   const Mesh coarse = sphere(1);
   const Shell thick = CGAL::certified_bspline_shell_3(coarse, P::relative_thickness(0.1));
@@ -130,7 +130,7 @@ TEST_CASE("Round trips: between meshes that have no facet in common")
   check_round_trips(thick, coarse, fine);
 }
 
-TEST_CASE("Round trips: images are the only places where densely traced curves meet the target, among all its facets")
+TEST_CASE("Round trips: images are the only points where densely traced curves meet the target")
 {
   const Mesh a = triangulated(demo_mesh("part.off"));
   const Shell shell = CGAL::certified_bspline_shell_3(a);

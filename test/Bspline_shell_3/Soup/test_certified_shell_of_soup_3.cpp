@@ -61,7 +61,7 @@ BS::Polygon_soup band(int halves, int around = 48)
 
 } // namespace
 
-TEST_CASE("Front door: a closed mesh in pieces gets a shell of itself")
+TEST_CASE("Shell of a soup: a closed mesh in pieces gets a shell of itself")
 {
   BS::Polygon_soup soup = soup_of(sphere(3));
   BS::Polygon_soup pieces;
@@ -84,7 +84,7 @@ TEST_CASE("Front door: a closed mesh in pieces gets a shell of itself")
   CHECK_FALSE(contains(report, "proxy"));
 }
 
-TEST_CASE("Front door: an open mesh is closed virtually, and components that face the wrong way are turned")
+TEST_CASE("Shell of a soup: an open mesh is closed virtually, and wrongly oriented components are reversed")
 {
   const BS::Shell_of_soup_3 open = CGAL::certified_shell_of_soup_3(band(0));
   REQUIRE(open.is_certified());
@@ -99,7 +99,7 @@ TEST_CASE("Front door: an open mesh is closed virtually, and components that fac
   CHECK(hollow.repairs.reversed_components);
 }
 
-TEST_CASE("Near duplicates: points that are almost, but not quite, at others are counted")
+TEST_CASE("Near duplicates: points that are close to others, but not equal to them, are counted")
 {
   BS::Polygon_soup::Points points;
   for(int x = 0; x < 10; ++x)
@@ -115,7 +115,7 @@ TEST_CASE("Near duplicates: points that are almost, but not quite, at others are
   CHECK(BS::number_of_near_duplicates(points) == 4);
 }
 
-TEST_CASE("Front door: the message on polygons that are not a mesh counts points that are almost equal")
+TEST_CASE("Shell of a soup: the message on polygons that are not a mesh counts points that are almost equal")
 {
   // The facets of a tetrahedron do not quite meet at one vertex, and another facet doubles an edge.
   BS::Polygon_soup soup{ { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1),
@@ -124,21 +124,21 @@ TEST_CASE("Front door: the message on polygons that are not a mesh counts points
   const BS::Shell_of_soup_3 shell = CGAL::certified_shell_of_soup_3(soup, parameters::relative_thickness(0.01));
   CHECK(shell.mesh_status == BS::Shell_status::NON_MANIFOLD);
   CHECK(shell.near_duplicates == 2);
-  CHECK(contains(shell.mesh_message(), "2 are closer"));
+  CHECK(contains(shell.mesh_message(), "2 points are closer"));
   CHECK(contains(report_of(shell), "\"near_duplicates\": 2"));
   REQUIRE(shell.is_certified());
-  CHECK(contains(shell.message(), "thicker than asked")); // the proxy is farther away
-  CHECK_FALSE(contains(shell.message(), "as thin as asked"));
+  CHECK(contains(shell.message(), "thicker than requested")); // the proxy is farther away
+  CHECK_FALSE(contains(shell.message(), "as thin as requested"));
 }
 
-TEST_CASE("Front door: what is refused as a mesh gets a proxy, and the reason is kept", "[slow]")
+TEST_CASE("Shell of a soup: a soup that is rejected as a mesh gets a proxy, and the reason is kept", "[slow]")
 {
   const BS::Shell_of_soup_3 strip = CGAL::certified_shell_of_soup_3(band(1), parameters::alpha(0.1));
   REQUIRE(strip.is_certified());
   CHECK(strip.kind() == BS::Shell_kind::PROXY);
   CHECK(strip.mesh_status == BS::Shell_status::NOT_ORIENTABLE);
   CHECK(contains(strip.mesh_message(), "one-sided"));
-  CHECK_FALSE(contains(strip.mesh_message(), "take a proxy")); // there is a proxy already
+  CHECK_FALSE(contains(strip.mesh_message(), "build a proxy")); // there is a proxy already
   CHECK(CGAL::is_closed(strip.mesh()));
   BS::Shell_certificate_3<BS::Shell_of_soup_3::Shell::Field, BS::Shell_of_soup_3::Shell::Threshold> certificate(
     strip.shell());
@@ -158,7 +158,7 @@ TEST_CASE("Front door: what is refused as a mesh gets a proxy, and the reason is
   CHECK(touching.is_certified());
 }
 
-TEST_CASE("Front door: nothing, points only, and facets without area are refused, each with a sentence")
+TEST_CASE("Shell of a soup: a soup without polygons, or without area, is rejected with a message")
 {
   const BS::Polygon_soup points{ { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(2, 0, 0) }, {} };
   for(const BS::Polygon_soup& soup :
@@ -175,7 +175,7 @@ TEST_CASE("Front door: nothing, points only, and facets without area are refused
   }
 }
 
-TEST_CASE("Front door: the report of a shell that is not certified has the limit that ended refinement, and the places")
+TEST_CASE("Shell of a soup: the report of an uncertified shell has the limit that ended refinement, and the obstacles")
 {
   const BS::Shell_of_soup_3 result = CGAL::certified_shell_of_soup_3(
     soup_of(box(Point_3(0, 0, 0), Point_3(1, 1, 0.002))), parameters::memory_limit(1.2e7));
@@ -183,11 +183,11 @@ TEST_CASE("Front door: the report of a shell that is not certified has the limit
   REQUIRE_FALSE(result.is_certified());
   const std::string report = report_of(result);
   CHECK(contains(report, "\"limit\": \"Another round of refinement would have "));
-  CHECK(contains(report, " MB: that is beyond the memory limit.\""));
+  CHECK(contains(report, " MB, which exceeds the memory limit: raise it (memory_limit).\""));
   CHECK(contains(report, "\"obstacles\": ["));
 }
 
-TEST_CASE("Front door: points that are no numbers or do not exist are named")
+TEST_CASE("Shell of a soup: points that are not finite, or do not exist, are reported")
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<Point_3> points{ Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, nan, 0) };
@@ -202,7 +202,7 @@ TEST_CASE("Front door: points that are no numbers or do not exist are named")
   CHECK(no_point.message() == "The parameter polygons is 3. It must be at least 0 and less than 3.");
 }
 
-TEST_CASE("Front door: parameters that make no sense, and visitors who stop, end at once")
+TEST_CASE("Shell of a soup: an invalid parameter, or a visitor that stops, has a status")
 {
   const BS::Polygon_soup soup = soup_of(sphere(2));
   const BS::Shell_of_soup_3 negative = CGAL::certified_shell_of_soup_3(soup, parameters::relative_thickness(-1.));

@@ -34,7 +34,7 @@ BS::Polygon_soup exploded(const Mesh& mesh)
 
 } // namespace
 
-TEST_CASE("Repair: a clean mesh needs none")
+TEST_CASE("Soup repair: a clean mesh needs no repair")
 {
   const BS::Polygon_soup soup{ { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1) },
                                { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } } };
@@ -47,8 +47,7 @@ TEST_CASE("Repair: a clean mesh needs none")
   CHECK(CGAL::is_closed(mesh));
 }
 
-TEST_CASE("Repair: triangles that share no points, some turned, some doubled, some without area, become the sphere "
-          "that they were")
+TEST_CASE("Soup repair: separate triangles, some reversed, duplicated or degenerate, become the original sphere")
 {
   const Mesh ball = sphere(2);
   BS::Polygon_soup soup = exploded(ball);
@@ -74,7 +73,7 @@ TEST_CASE("Repair: triangles that share no points, some turned, some doubled, so
   CHECK_FALSE(repairs.is_none());
 }
 
-TEST_CASE("Repair: a facet without area between others goes, and the mesh stays closed")
+TEST_CASE("Soup repair: a degenerate facet between others is removed, and the mesh stays closed")
 {
   // The point 4 is on the edge from 0 to 1.
   const BS::Polygon_soup soup{ { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1),
@@ -89,7 +88,7 @@ TEST_CASE("Repair: a facet without area between others goes, and the mesh stays 
   CHECK(PMP::volume(mesh) == Approx(1. / 6));
 }
 
-TEST_CASE("Repair: three facets at an edge, a Moebius strip and nothing are named")
+TEST_CASE("Soup repair: three facets at an edge, a Moebius strip and an empty soup have a status")
 {
   Mesh mesh;
   BS::Soup_repairs repairs;
@@ -107,7 +106,7 @@ TEST_CASE("Repair: three facets at an edge, a Moebius strip and nothing are name
         == BS::Shell_status::NOT_ORIENTABLE);
 }
 
-TEST_CASE("Repair: offenders are those of the soup, whatever was removed before")
+TEST_CASE("Soup repair: offending polygons have their numbers in the soup, despite earlier removals")
 {
   const std::vector<Point_3> points{ Point_3(0, 0, 0), Point_3(0, 0, 0), Point_3(1, 0, 0),
                                      Point_3(0, 1, 0), Point_3(0, 0, 1), Point_3(0, -1, -1) };
@@ -122,7 +121,7 @@ TEST_CASE("Repair: offenders are those of the soup, whatever was removed before"
   CHECK(mesh.is_empty());
 }
 
-TEST_CASE("Repair: a plate with a hole, whose facets have a bridge to it, becomes a closed mesh")
+TEST_CASE("Soup repair: a plate with a hole, to which its facets have a bridge, becomes a closed mesh")
 {
   BS::Polygon_soup soup;
   for(double z : { 0., 1. })
@@ -144,7 +143,7 @@ TEST_CASE("Repair: a plate with a hole, whose facets have a bridge to it, become
   CHECK(std::abs(PMP::volume(mesh)) == Approx(12));
 }
 
-TEST_CASE("Repair: components are turned inside out until they bound a volume")
+TEST_CASE("Soup repair: components are reversed until they bound a volume")
 {
   Mesh mesh = sphere(2, 1), inner = sphere(2, 0.5);
   mesh += inner; // faces outwards, too

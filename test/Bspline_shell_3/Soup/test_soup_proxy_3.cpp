@@ -95,8 +95,7 @@ Soup random_triangles(int number)
 
 } // namespace
 
-TEST_CASE(
-  "Soup mesh: three triangles at an edge, in any order, become a mesh whose triangles and vertices know their origins")
+TEST_CASE("Soup mesh: three triangles at an edge become a mesh whose triangles and vertices refer to their origins")
 {
   const Points points{ Point_3(9, 9, 9), Point_3(0, 0, 0),  Point_3(0, 0, 1),
                        Point_3(1, 0, 0), Point_3(-1, 1, 0), Point_3(-1, -1, 0) };
@@ -132,7 +131,7 @@ TEST_CASE("Soup mesh: a polygon with a hole, whose bridge has two points twice, 
   CHECK(area == Approx(12));
 }
 
-TEST_CASE("Soup mesh: polygons are triangulated, and those without an area are left out and named")
+TEST_CASE("Soup mesh: polygons are triangulated, and degenerate polygons are left out and reported")
 {
   const Points points{ Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(0, 1, 0), Point_3(2, 0, 0) };
   const BS::Soup_mesh_3 soup(
@@ -156,7 +155,7 @@ TEST_CASE("Soup proxy: two intersecting spheres get a closed mesh with a certifi
   }
 }
 
-TEST_CASE("Soup proxy: what the spheres show is carried, and what one hides in the other is not")
+TEST_CASE("Soup proxy: visible parts of the spheres are carried, and hidden parts are not")
 {
   const BS::Soup_proxy_3& proxy = proxy_of_spheres();
   const BS::Soup_shares shares = BS::sample_soup_shares(proxy.map());
@@ -177,7 +176,7 @@ TEST_CASE("Soup proxy: what the spheres show is carried, and what one hides in t
   CHECK(again.facets == shares.facets);
 }
 
-TEST_CASE("Soup proxy: points of the soup go to the proxy along curves and come back")
+TEST_CASE("Soup proxy: points of the soup are mapped to the proxy along curves, and back")
 {
   const BS::Soup_proxy_3& proxy = proxy_of_spheres();
   const auto map = proxy.map();
@@ -202,7 +201,7 @@ TEST_CASE("Soup proxy: points of the soup go to the proxy along curves and come 
   CHECK(carried > 3 * hidden);
 }
 
-TEST_CASE("Soup proxy: known attributes of vertices, facets and corners arrive on the proxy")
+TEST_CASE("Soup proxy: attributes of vertices, facets and corners are transferred to the proxy")
 {
   BS::Soup_proxy_3 proxy = proxy_of_spheres();
   const auto to_proxy = proxy.map();
@@ -261,7 +260,7 @@ TEST_CASE("Soup proxy: known attributes of vertices, facets and corners arrive o
   CHECK(of_vectors.failures.size() < mesh.number_of_faces() / 50);
 }
 
-TEST_CASE("Soup proxy: it can be simplified in its shell, and still carries what the soup has")
+TEST_CASE("Soup proxy: a simplified proxy still carries the attributes of the soup")
 {
   const BS::Soup_proxy_3& proxy = proxy_of_spheres();
   Mesh coarse = proxy.mesh();
@@ -280,7 +279,7 @@ TEST_CASE("Soup proxy: it can be simplified in its shell, and still carries what
     CHECK(std::abs(scalars[v] - linear(coarse.point(v))) < 3.3 * 10 * proxy.report().offset);
 }
 
-TEST_CASE("Soup projection: the image is the outermost of the facets on the curve, whichever way they face")
+TEST_CASE("Soup projection: the image is on the outermost facet of the curve, whichever way the facets face")
 {
   const Mesh ball = sphere(3);
   const auto shell = CGAL::certified_bspline_shell_3(ball, parameters::relative_thickness(0.2));
@@ -366,7 +365,7 @@ TEST_CASE("Soup projection: the image is the outermost of the facets on the curv
   CHECK(continued > 20);
 }
 
-TEST_CASE("Soup proxy: a cube with a facet missing is wrapped inside and outside")
+TEST_CASE("Soup proxy: a cube with a missing side is wrapped inside and outside")
 {
   Mesh cube = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
   Soup soup;
@@ -388,7 +387,7 @@ TEST_CASE("Soup proxy: a cube with a facet missing is wrapped inside and outside
   for(auto v : proxy.soup().mesh().vertices()) CHECK(proxy.map()(v));
 }
 
-TEST_CASE("Soup proxy: triangles in disorder get a certified proxy, and what is continued is marked")
+TEST_CASE("Soup proxy: random triangles get a certified proxy, and continued values are reported")
 {
   const Soup soup = random_triangles(12);
   const BS::Soup_proxy_3 proxy = CGAL::certified_soup_proxy_3(soup.points, soup.polygons, parameters::alpha(0.25));
@@ -406,8 +405,7 @@ TEST_CASE("Soup proxy: triangles in disorder get a certified proxy, and what is 
   for(auto f : mesh.faces()) CHECK(labels[f] < 12);
 }
 
-TEST_CASE(
-  "Soup proxy: refused with a status are nothing, points only, no area, no numbers, no such point, no sensible alpha")
+TEST_CASE("Soup proxy: an invalid soup or parameter is rejected with a status")
 {
   const Points points{ Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(2, 0, 0) };
   const auto status = [](const Points& p, const Polygons& f, double alpha = 0.1) {

@@ -109,7 +109,7 @@ Exact_coefficients derivative(const Exact_coefficients& b, int axis)
 
 } // namespace
 
-TEST_CASE("The largest size is found wherever it is")
+TEST_CASE("Bernstein bounds: the largest size is found, whichever coefficient has it")
 {
   for(std::size_t n = 0; n < 64; ++n) {
     std::array<double, 64> b;
@@ -119,14 +119,14 @@ TEST_CASE("The largest size is found wherever it is")
   }
 }
 
-TEST_CASE("Bounds: the range of the coefficients encloses the functions at both ends of the radius")
+TEST_CASE("Bernstein bounds: the range of the coefficients encloses the functions at both ends of the radius")
 {
   const Enclosed_tricubic f = constant(1, 0.25);
   CHECK(f.range().min <= 0.75);
   CHECK(f.range().max >= 1.25);
 }
 
-TEST_CASE("Bounds: the range towards a face, an edge or a vertex is that of the coefficients there")
+TEST_CASE("Bernstein bounds: the range towards a face, an edge or a vertex is the range of the coefficients there")
 {
   CGAL::Random random(12);
   const Enclosed_tricubic f = random_function(random, 4, 0.125);
@@ -145,8 +145,7 @@ TEST_CASE("Bounds: the range towards a face, an edge or a vertex is that of the 
   CHECK(f.range_towards({ 0, 0, 0 }).min == f.range().min);
 }
 
-TEST_CASE(
-  "Bounds: values at points, on segments and triangles in the cell are enclosed, with all roundings of mixed sizes")
+TEST_CASE("Bernstein bounds: values at points, on segments and on triangles are enclosed, with all rounding errors")
 {
   CGAL::Random random(1);
   for(int n = 0; n < 60; ++n) {
@@ -179,7 +178,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Bounds: on forms, functions at both ends of the radius are enclosed")
+TEST_CASE("Bernstein bounds: forms enclose the functions at both ends of the radius, even beyond the cell")
 {
   const Enclosed_tricubic f = constant(1, 0.25);
   const std::array<Point, 3> t = { Point{ 0, 0, 0 }, Point{ 1, 0, 0.5 }, Point{ 0.25, 1, 1 } };
@@ -207,7 +206,7 @@ TEST_CASE("Bounds: on forms, functions at both ends of the radius are enclosed")
   }
 }
 
-TEST_CASE("Bounds: corners that are off by the shift are enclosed, where the function is steep along all axes at once")
+TEST_CASE("Bernstein bounds: displaced corners are enclosed, even if the function is steep along all axes")
 {
   const double shift = std::ldexp(1., -40);
   // Only the coefficient at the corner is nonzero. The derivatives there are three along each axis.
@@ -227,8 +226,7 @@ TEST_CASE("Bounds: corners that are off by the shift are enclosed, where the fun
     }
 }
 
-TEST_CASE(
-  "Bounds: an octant's coefficients are within its radius of the exact ones, for all functions within the radius")
+TEST_CASE("Bernstein bounds: an octant's radius covers the exact coefficients of all functions within the radius")
 {
   CGAL::Random random(3);
   for(int n = 0; n < 40; ++n) {
@@ -258,7 +256,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Bounds: a difference is within its radius of all differences of functions within theirs")
+TEST_CASE("Bernstein bounds: a difference covers the differences of all functions within the radii")
 {
   CGAL::Random random(4);
   for(int n = 0; n < 20; ++n)
@@ -274,7 +272,7 @@ TEST_CASE("Bounds: a difference is within its radius of all differences of funct
     }
 }
 
-TEST_CASE("Bounds: a derivative is within its radius of those of all functions along all directions within theirs")
+TEST_CASE("Bernstein bounds: a derivative covers the derivatives of all functions and directions within the radii")
 {
   CGAL::Random random(5);
   for(int n = 0; n < 60; ++n) {
@@ -304,7 +302,7 @@ TEST_CASE("Bounds: a derivative is within its radius of those of all functions a
   }
 }
 
-TEST_CASE("Bounds: numbers so small that products vanish are enclosed as others are")
+TEST_CASE("Bernstein bounds: values are enclosed, even if products underflow")
 {
   const double least = std::numeric_limits<double>::denorm_min();
   CGAL::Random random(6);
@@ -327,7 +325,7 @@ TEST_CASE("Bounds: numbers so small that products vanish are enclosed as others 
   }
 }
 
-TEST_CASE("Bounds: if a coefficient is not finite, or overflows on the way, bounds are infinite")
+TEST_CASE("Bernstein bounds: if a coefficient is not finite, or overflows on the way, bounds are infinite")
 {
   constexpr double infinity = std::numeric_limits<double>::infinity(), largest = std::numeric_limits<double>::max();
   const auto is_infinite = [](const Level_range& r) {
@@ -367,7 +365,7 @@ TEST_CASE("Bounds: if a coefficient is not finite, or overflows on the way, boun
 }
 
 TEST_CASE(
-  "Bounds: a field on a cell has the cell's radius, thresholds are subtracted with theirs, and have their range")
+  "Bernstein bounds: a field on a cell has the cell's radius, and differences from thresholds include both radii")
 {
   typedef BS::Uniform_bspline_field_3<> Field;
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 1);

@@ -106,7 +106,7 @@ const double rounding = 26 * std::numeric_limits<double>::epsilon();
 
 } // namespace
 
-TEST_CASE("Bernstein forms: on a segment the form is the tricubic")
+TEST_CASE("Bernstein forms: the form on a segment equals the tricubic")
 {
   CGAL::Random random(1);
   for(int n = 0; n < 5; ++n) {
@@ -127,7 +127,7 @@ TEST_CASE("Bernstein forms: on a segment the form is the tricubic")
   }
 }
 
-TEST_CASE("Bernstein forms: on a triangle the form is the tricubic")
+TEST_CASE("Bernstein forms: the form on a triangle equals the tricubic")
 {
   CGAL::Random random(2);
   for(int n = 0; n < 3; ++n) {
@@ -150,7 +150,7 @@ TEST_CASE("Bernstein forms: on a triangle the form is the tricubic")
   }
 }
 
-TEST_CASE("Bernstein forms: coefficients come by decreasing exponent of the first corner, then of the second")
+TEST_CASE("Bernstein forms: coefficients are sorted by decreasing exponent of the first corner, then of the second")
 {
   // The function x has the coefficients i/3. On a triangle, its coefficients are weighted means of x at the corners.
   Coefficients c;
@@ -166,7 +166,7 @@ TEST_CASE("Bernstein forms: coefficients come by decreasing exponent of the firs
     for(int j = 9 - i; j >= 0; --j, ++n) CHECK(b[n] == i * p[0] + j * q[0] + (9 - i - j) * r[0]);
 }
 
-TEST_CASE("Bernstein forms: the sides of a triangle's form are the forms of its sides")
+TEST_CASE("Bernstein forms: sides of a triangle's form are the forms of its sides")
 {
   CGAL::Random random(3);
   const Coefficients c = random_coefficients(random);
@@ -183,7 +183,7 @@ TEST_CASE("Bernstein forms: the sides of a triangle's form are the forms of its 
   }
 }
 
-TEST_CASE("Bernstein forms: every coefficient is a convex combination of the cell's")
+TEST_CASE("Bernstein forms: every coefficient is a convex combination of the cell's coefficients")
 {
   // The form is linear in the coefficients of the cell; its weights are the forms of the 64 unit vectors.
   CGAL::Random random(4);
@@ -209,7 +209,7 @@ TEST_CASE("Bernstein forms: every coefficient is a convex combination of the cel
   for(const Rational& sum : triangle_sum) CHECK(sum == 1);
 }
 
-TEST_CASE("Bernstein forms: doubles are off by less than 26 eps of the largest coefficient, intervals contain the form")
+TEST_CASE("Bernstein forms: doubles are within 26 eps of the largest coefficient, and intervals contain the form")
 {
   typedef CGAL::Interval_nt<false> Interval;
   CGAL::Random random(5);

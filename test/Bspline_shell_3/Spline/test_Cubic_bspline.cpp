@@ -31,7 +31,7 @@ const Weights some_coefficients = { Rational(7) / 3, Rational(-11) / 5, Rational
 
 } // namespace
 
-TEST_CASE("B-splines: values and derivatives on a cell are those of Eq. 3.1, centered at the knots -1, 0, 1, 2")
+TEST_CASE("B-splines: values and derivatives on a cell agree with Eq. 3.1, centered at the knots -1, 0, 1, 2")
 {
   for(int order = 0; order < 3; ++order)
     for(int k = 0; k <= 16; ++k) {
@@ -52,13 +52,13 @@ TEST_CASE("B-splines: the four functions sum to one and their derivatives to zer
     }
 }
 
-TEST_CASE("B-splines: on the cell no function is negative")
+TEST_CASE("B-splines: no function is negative on the cell")
 {
   for(int k = 0; k <= 16; ++k)
     for(const Rational& w : Basis::values(sixteenths(k))) CHECK(w >= 0);
 }
 
-TEST_CASE("B-splines: derivatives are the limits of difference quotients")
+TEST_CASE("B-splines: derivatives agree with difference quotients")
 {
   // These five-point formulas are exact for polynomials of degree four and five, so no limit is needed.
   for(const Rational& h : { Rational(1), Rational(1, 7) })
@@ -74,7 +74,7 @@ TEST_CASE("B-splines: derivatives are the limits of difference quotients")
     }
 }
 
-TEST_CASE("B-splines: value, first and second derivative continue across a knot")
+TEST_CASE("B-splines: value, first and second derivative are continuous at a knot")
 {
   for(int order = 0; order < 3; ++order) {
     const Weights left = basis(order, Rational(1)), right = basis(order, Rational(0));
@@ -84,7 +84,7 @@ TEST_CASE("B-splines: value, first and second derivative continue across a knot"
   }
 }
 
-TEST_CASE("B-splines: polynomials to degree three are splines")
+TEST_CASE("B-splines: polynomials up to degree three are reproduced")
 {
   // The coefficient at knot g is the polar form at (g-1, g, g+1).
   const auto coefficient = [](int degree, const Rational& g) {
@@ -112,7 +112,7 @@ TEST_CASE("B-splines: polynomials to degree three are splines")
       }
 }
 
-TEST_CASE("B-splines: each one is a sum of five of half the width")
+TEST_CASE("B-splines: each function is a sum of five functions of half the width")
 {
   const auto mask = Basis::two_scale_mask();
   for(int k = -40; k <= 40; ++k) {
@@ -135,7 +135,7 @@ TEST_CASE("B-splines: the Bernstein form is the same cubic")
   }
 }
 
-TEST_CASE("B-splines: doubles are rounded rationals, intervals contain them")
+TEST_CASE("B-splines: doubles agree with rational numbers up to rounding, and intervals contain these")
 {
   typedef CGAL::Interval_nt<false> Interval;
   // At most eight roundings of terms that are at most 4.

@@ -8,7 +8,8 @@
 #include <vector>
 
 namespace test_coefficient_lines {
-TEST_CASE("Along each axis, every coefficient is on one line, and its neighbors on it differ in that coordinate alone")
+TEST_CASE(
+  "Coefficient lines: along each axis, every coefficient is on one line, and neighbors differ only in that coordinate")
 {
   std::array<std::array<int, 64>, 3> times = {};
   std::vector<int> axes;

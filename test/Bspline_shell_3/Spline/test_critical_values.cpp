@@ -70,8 +70,7 @@ Enclosed_tricubic quadratic(const double (&H)[3][3], const Point& center, double
 
 } // namespace
 
-TEST_CASE(
-  "Values at critical points: g less half of the slope of f towards the center is enclosed at every point, exactly")
+TEST_CASE("Critical values: g minus half the slope of f towards the center is enclosed exactly at every point")
 {
   CGAL::Random random(1);
   int close = 0;
@@ -101,7 +100,7 @@ TEST_CASE(
   CHECK(close > 100); // the radius covers roundings only
 }
 
-TEST_CASE("Values at critical points: terms that cancel leave their roundings, also where little else is left")
+TEST_CASE("Critical values: rounding errors of canceling terms are covered, even if little else is left")
 {
   // The function is close to x - y; the center is far away on the diagonal.
   CGAL::Random random(5);
@@ -129,8 +128,7 @@ TEST_CASE("Values at critical points: terms that cancel leave their roundings, a
   }
 }
 
-TEST_CASE(
-  "Values at critical points: of a quadratic function about its center they are one number, and the center is found")
+TEST_CASE("Critical values: a quadratic function has one value about its center, and the center is found")
 {
   CGAL::Random random(2);
   for(int n = 0; n < 200; ++n) {
@@ -155,7 +153,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Values at critical points: across a wall of any direction they are those in its middle")
+TEST_CASE("Critical values: the values across a wall of any direction are the values in its middle")
 {
   // f = (n . (x - m))^2 + 0.3 has critical points on a whole plane, where its value is 0.3, and no others.
   CGAL::Random random(3);
@@ -178,8 +176,7 @@ TEST_CASE("Values at critical points: across a wall of any direction they are th
   }
 }
 
-TEST_CASE("Values at critical points: with a third derivative, those across a wall are bounded from the side of the "
-          "middle nearly exactly")
+TEST_CASE("Critical values: with a third derivative, one bound across a wall is nearly exact")
 {
   // z^2 - 0.2 z^3 - 0.1 on [0, 1]: critical points in the box are at z = 0, with the value -0.1
   Enclosed_tricubic f;
@@ -191,7 +188,7 @@ TEST_CASE("Values at critical points: with a third derivative, those across a wa
   CHECK(about_middle.max > -0.001);
 }
 
-TEST_CASE("Values at critical points: a slope along a wall is told")
+TEST_CASE("Critical values: the slope along a wall is returned")
 {
   // z^2 + s x has no critical point. The remaining slope is s, relative to a curvature of 2.
   for(double s : { 0.1, 0.4, 1. }) {
@@ -201,7 +198,7 @@ TEST_CASE("Values at critical points: a slope along a wall is told")
   }
 }
 
-TEST_CASE("Values at critical points: what is no number, or overflows, says nothing")
+TEST_CASE("Critical values: coefficients that are not finite, or overflow, yield no bound")
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   const auto says_nothing = [](const Level_range& r) { return !(r.max < 1e308) && !(r.min > -1e308); };
@@ -225,7 +222,7 @@ TEST_CASE("Values at critical points: what is no number, or overflows, says noth
   CHECK(says_nothing(BS::values_at_critical_points(f, large, { 0.5, 0.5, 0.5 }).range()));
 }
 
-TEST_CASE("Values at critical points: the center of a function that is scaled by a power of two is the same")
+TEST_CASE("Critical values: scaling a function by a power of two does not move its center")
 {
   CGAL::Random random(5);
   for(int n = 0; n < 20; ++n) {

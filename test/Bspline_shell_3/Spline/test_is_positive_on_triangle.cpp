@@ -47,8 +47,7 @@ double least_value(const Numbers& g, const Numbers& q)
 
 } // namespace
 
-TEST_CASE(
-  "Equal corners allow six times their value on all edges, eight times on one, and an edge as much as its roots allow")
+TEST_CASE("Positive on a triangle: the limits for equal corners, and for a single edge, agree with closed forms")
 {
   for(double hair : { 1e-3, 1e-9, 1e-12 }) {
     CHECK(is_positive_on_triangle({ 2, 2, 2 }, { 12 - hair, 12 - hair, 12 - hair }));
@@ -73,8 +72,8 @@ TEST_CASE(
   CHECK_FALSE(is_positive_on_triangle({ 1e-9, 1, 1 }, { 0, 2.1, 1.9 }));
 }
 
-TEST_CASE("The answer is yes if and only if the least value is positive, up to rounding, for values of very different "
-          "size, too")
+TEST_CASE(
+  "Positive on a triangle: the answer agrees with the sign of the least value, up to rounding, at any magnitude")
 {
   CGAL::Random random(7);
   int positive = 0, negative = 0, in_the_middle = 0;
@@ -101,7 +100,7 @@ TEST_CASE("The answer is yes if and only if the least value is positive, up to r
   CHECK(in_the_middle > 500);
 }
 
-TEST_CASE("What is no number, and no positive value at a corner, is not positive, numbers of any size are compared")
+TEST_CASE("Positive on a triangle: NaN and corners that are not positive are rejected, and any magnitude is compared")
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   for(std::size_t v = 0; v < 3; ++v)

@@ -34,7 +34,8 @@ bool is_monotone(const BS::Enclosed_tricubic& f, double steepest)
 
 } // namespace
 
-TEST_CASE("Monotone direction: a linear function increases as far as its coefficients are known")
+TEST_CASE(
+  "Monotone direction: a linear function is monotone if the radius is less than half the coefficient difference")
 {
   // A difference of two coefficients, 1/3 apart, is known up to twice their radius.
   for(int axis = 0; axis < 3; ++axis)
@@ -46,7 +47,7 @@ TEST_CASE("Monotone direction: a linear function increases as far as its coeffic
     }
 }
 
-TEST_CASE("Monotone direction: it is at least as steep as is asked for, wherever coefficients are")
+TEST_CASE("Monotone direction: a function is monotone only if it is steeper than requested")
 {
   CHECK(is_monotone(linear({ 1, 0, 0 }, 0.05), 0.69));
   CHECK_FALSE(is_monotone(linear({ 1, 0, 0 }, 0.05), 0.71));
@@ -59,7 +60,7 @@ TEST_CASE("Monotone direction: it is at least as steep as is asked for, wherever
   CHECK_FALSE(is_monotone(linear({ 1, 0, 0 }, 0), 1));
 }
 
-TEST_CASE("Monotone direction: a constant function increases nowhere, nor does one with a critical point")
+TEST_CASE("Monotone direction: a constant function is not monotone, nor is one with a critical point")
 {
   CHECK_FALSE(is_monotone(linear({ 0, 0, 0 }, 0), 0));
   BS::Enclosed_tricubic saddle = linear({ 0, 0, 0 }, 0);
@@ -67,7 +68,7 @@ TEST_CASE("Monotone direction: a constant function increases nowhere, nor does o
   CHECK_FALSE(is_monotone(saddle, 0));
 }
 
-TEST_CASE("Monotone direction: bounds of lengths are no less than the lengths, and hardly more, of vectors of any size")
+TEST_CASE("Monotone direction: bounds of lengths are never below the length, and hardly above it, at any magnitude")
 {
   CGAL::Random random(7);
   std::size_t too_small = 0, too_large = 0;

@@ -24,7 +24,7 @@ std::string sentence(double value, const Parameter_bounds& bounds)
 
 } // namespace
 
-TEST_CASE("Invalid parameters: what the bounds contain")
+TEST_CASE("Invalid parameter: bounds contain exactly the permitted values")
 {
   for(double x : { 1e-300, 1., 1e300 }) {
     CHECK(Parameter_bounds::positive().contains(x));
@@ -47,7 +47,7 @@ TEST_CASE("Invalid parameters: what the bounds contain")
   CHECK_FALSE(part.contains(1));
 }
 
-TEST_CASE("Invalid parameters: the message has the name, the value and the bounds")
+TEST_CASE("Invalid parameter: the message has the name, the value and the bounds")
 {
   CHECK(sentence(1, Parameter_bounds::positive()) == "");
   CHECK(sentence(-1, Parameter_bounds::positive())
@@ -59,7 +59,7 @@ TEST_CASE("Invalid parameters: the message has the name, the value and the bound
   CHECK(sentence(nan_value, { 0, 1, true, true }) == "The parameter size is nan. It must be at least 0 and at most 1.");
 }
 
-TEST_CASE("Invalid parameters: the first one is kept, and is the message of the status")
+TEST_CASE("Invalid parameter: the first invalid parameter is kept, and defines the message of the status")
 {
   BS::Invalid_parameter parameter;
   CHECK_FALSE(parameter);

@@ -22,7 +22,7 @@ void check(const CGAL::Named_function_parameters<T, Tag, Base>& np)
 
 } // namespace
 
-TEST_CASE("Named parameters: CGAL's may come first, in between, or last")
+TEST_CASE("Named parameters: parameters of CGAL may come first, in between, or last")
 {
   check(P::resolution(60).number_of_iterations(4u).verbosity_level(3));
   check(P::number_of_iterations(4u).resolution(60).verbosity_level(3));
@@ -30,13 +30,13 @@ TEST_CASE("Named parameters: CGAL's may come first, in between, or last")
   check(P::with(CGAL::parameters::verbosity_level(3)).resolution(60).number_of_iterations(4u));
 }
 
-TEST_CASE("Named parameters: default values may be continued")
+TEST_CASE("Named parameters: default values can be extended")
 {
   const auto np = P::with(CGAL::parameters::default_values()).resolution(60);
   CHECK(choose_parameter(get_parameter(np, BS::parameter_tags::resolution), 0) == 60);
 }
 
-TEST_CASE("Named parameters: what CGAL calls by the same name is the same parameter")
+TEST_CASE("Named parameters: a parameter with the same name in CGAL is the same parameter")
 {
   const auto np = CGAL::parameters::allow_self_intersections(true);
   const auto own = P::allow_self_intersections(true);

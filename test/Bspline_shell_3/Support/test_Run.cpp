@@ -36,7 +36,7 @@ End poll(Run& run, int times)
 
 } // namespace
 
-TEST_CASE("Runs: a poll outside of a run, and in one without limits, does nothing")
+TEST_CASE("Runs: a poll outside of a run, or in a run without limits, does nothing")
 {
   Run::poll();
   for(double limit : { forever, 1e300, 1e6 }) {
@@ -46,7 +46,7 @@ TEST_CASE("Runs: a poll outside of a run, and in one without limits, does nothin
   }
 }
 
-TEST_CASE("Runs: the first poll after the limit of time ends the run, and no thread has a run afterwards")
+TEST_CASE("Runs: the first poll after the time limit ends the run, and no thread has a run afterwards")
 {
   Run run(0);
   CHECK(poll(run, 0) == End::NONE);
@@ -55,7 +55,7 @@ TEST_CASE("Runs: the first poll after the limit of time ends the run, and no thr
   Run::poll();
 }
 
-TEST_CASE("Runs: the visitor is called at each poll, and not again once it has stopped the run")
+TEST_CASE("Runs: the visitor is called at each poll until it stops the run")
 {
   int calls = 0;
   Run run(forever, [&] { return ++calls < 3; });
@@ -67,7 +67,7 @@ TEST_CASE("Runs: the visitor is called at each poll, and not again once it has s
   CHECK(calls == 3);
 }
 
-TEST_CASE("Runs: a visitor may itself call functions that poll, and throw")
+TEST_CASE("Runs: a visitor may call functions that poll, and may throw")
 {
   int calls = 0;
   Run run(forever, [&] {
@@ -82,7 +82,7 @@ TEST_CASE("Runs: a visitor may itself call functions that poll, and throw")
   CHECK(Run::current() == nullptr);
 }
 
-TEST_CASE("Runs: an inner run ends with the outer one, and a longer limit of its own does not help")
+TEST_CASE("Runs: an inner run ends with the outer one, even if its own limit is longer")
 {
   Run outer(0);
   const Run::Scope scope(&outer);
@@ -98,7 +98,7 @@ TEST_CASE("Runs: an inner run ends with the outer one, and a longer limit of its
   CHECK(calls == 1);
 }
 
-TEST_CASE("Runs: chunks that begin after the end are left out, with any number of threads")
+TEST_CASE("Runs: chunks are skipped after the end of the run, for any number of threads")
 {
   const auto chunks_until = [](auto tag, int most) {
     std::atomic<int> done(0);
@@ -131,7 +131,7 @@ TEST_CASE("Runs: chunks that begin after the end are left out, with any number o
   CHECK(done == 0);
 }
 
-TEST_CASE("Runs: the visitor is called by the thread that began the run alone, and polls of all threads belong to it")
+TEST_CASE("Runs: only the thread that began the run calls the visitor, and polls of all threads belong to the run")
 {
   const std::thread::id here = std::this_thread::get_id();
   int elsewhere = 0;
@@ -157,7 +157,30 @@ TEST_CASE("Runs: the visitor is called by the thread that began the run alone, a
   CHECK(strangers == 0);
 }
 
-TEST_CASE("Runs: a visitor without go_on() is never asked")
+TEST_CASE("Runs: polls of another thread do not call the visitor, but end with the run")
+{
+  int calls = 0;
+  Run run(forever, [&] { return ++calls < 2; });
+  const auto poll_elsewhere = [&] {
+    bool has_ended = false;
+    std::thread([&] {
+      const Run::Scope scope(&run);
+      try {
+        for(int n = 0; n < 3; ++n) Run::poll();
+      } catch(const Run::Ended&) {
+        has_ended = true;
+      }
+    }).join();
+    return has_ended;
+  };
+  CHECK_FALSE(poll_elsewhere());
+  CHECK(calls == 0);
+  CHECK(poll(run, 2) == End::CANCELED);
+  CHECK(poll_elsewhere());
+  CHECK(calls == 2);
+}
+
+TEST_CASE("Runs: a visitor without go_on() is never called")
 {
   struct Old_visitor
   {

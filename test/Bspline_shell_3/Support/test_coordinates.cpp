@@ -16,7 +16,7 @@ using CGAL::Bspline_shells::internal::rounded_coordinates;
 typedef CGAL::Exact_predicates_exact_constructions_kernel Lazy_kernel;
 typedef Lazy_kernel::FT Lazy;
 
-TEST_CASE("Numbers with a double value are rounded to it")
+TEST_CASE("Coordinates: numbers with a double value are converted exactly")
 {
   for(double x : { 0., 1., -0.1, 1e300, 1e-300, std::numeric_limits<double>::denorm_min() }) {
     CHECK(rounded(x) == x);
@@ -27,7 +27,7 @@ TEST_CASE("Numbers with a double value are rounded to it")
   CHECK(rounded(3) == 3);
 }
 
-TEST_CASE("A lazy number is rounded as its exact value, before and after that is computed")
+TEST_CASE("Coordinates: a lazy number is rounded by its exact value, before and after its evaluation")
 {
   for(double x : { 0.1, -7.3, 1e-3 })
     for(double size : { 1., 1e6, 1e9, 1e12, 1e20 }) {
@@ -42,7 +42,7 @@ TEST_CASE("A lazy number is rounded as its exact value, before and after that is
 }
 
 #ifdef NDEBUG // otherwise, CGAL asserts that they are finite
-TEST_CASE("Lazy numbers that are infinite, or not numbers, stay what they are")
+TEST_CASE("Coordinates: lazy numbers that are NaN or infinite are unchanged")
 {
   const double infinity = std::numeric_limits<double>::infinity();
   CHECK(rounded(Lazy(infinity)) == infinity);
@@ -51,7 +51,7 @@ TEST_CASE("Lazy numbers that are infinite, or not numbers, stay what they are")
 }
 #endif
 
-TEST_CASE("Points have three rounded coordinates")
+TEST_CASE("Coordinates: all three coordinates of a point are rounded")
 {
   const Lazy large = Lazy(1e9) / Lazy(3);
   const Lazy_kernel::Point_3 p((Lazy(0.1) + large) - large, Lazy(0.2), Lazy(1) / Lazy(3));

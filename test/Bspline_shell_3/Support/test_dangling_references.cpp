@@ -85,7 +85,7 @@ static_assert(refuses_temporaries<BS::Mesh_signed_distance_3, BS::Input_mesh_3>(
 
 } // namespace
 
-TEST_CASE("Temporaries are refused where references are kept")
+TEST_CASE("Temporaries are rejected where references are kept")
 {
   SUCCEED("The assertions above hold when this file is compiled.");
 }

@@ -40,7 +40,7 @@ std::vector<Point> random_points(std::size_t size, double scale)
 
 } // namespace
 
-TEST_CASE("Points in order: each is dealt with once, with its coordinates, whatever they are")
+TEST_CASE("Points in order: each point is visited once, whatever its coordinates")
 {
   const double infinity = std::numeric_limits<double>::infinity(), largest = (std::numeric_limits<double>::max)();
   for(std::size_t size : { 0, 1, 2, 63, 64, 65, 20000 })
@@ -64,7 +64,7 @@ TEST_CASE("Points in order: each is dealt with once, with its coordinates, whate
     }
 }
 
-TEST_CASE("Points in order: a visitor stops it")
+TEST_CASE("Points in order: a visitor can stop the iteration")
 {
   const std::vector<Point> points = random_points(100000, 1);
   Counting_visitor visitor;

@@ -39,7 +39,8 @@ std::uint64_t interleaved(const std::array<unsigned int, 3>& x)
 
 } // namespace
 
-TEST_CASE("Morton order: codes bit by bit, with the same points by their numbers, and what is not finite at the end")
+TEST_CASE(
+  "Morton order: codes interleave bits, equal points keep their order, and points that are not finite come last")
 {
   CGAL::Random random(6);
   constexpr unsigned int side = 32;
@@ -65,7 +66,7 @@ TEST_CASE("Morton order: codes bit by bit, with the same points by their numbers
   for(std::size_t i = 0; i < found.size(); ++i) REQUIRE(found[i] == expected[i].second);
 }
 
-TEST_CASE("Morton order: threads do not matter")
+TEST_CASE("Morton order: the result does not depend on the number of threads")
 {
   CGAL::Random random(7);
   std::vector<Point> points;

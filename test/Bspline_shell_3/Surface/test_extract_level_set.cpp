@@ -158,7 +158,7 @@ void check_closed_manifold(const TriangleMesh& mesh)
   PMP::non_manifold_vertices(mesh, std::back_inserter(non_manifold));
   CHECK(non_manifold.empty());
   for(auto f : faces(mesh))
-    if(PMP::is_degenerate_triangle_face(f, mesh)) FAIL("a facet without area");
+    if(PMP::is_degenerate_triangle_face(f, mesh)) FAIL("a facet of zero area");
 }
 
 template <typename TriangleMesh, typename Field>
@@ -188,7 +188,7 @@ double least_cosine(const TriangleMesh& mesh, const Field& field)
 
 } // namespace
 
-TEST_CASE("Level set: of |x|^2 it is a sphere of the right radius whose facets face outwards")
+TEST_CASE("Level set: the level set of |x|^2 is a sphere of the right radius whose facets face outwards")
 {
   for(const Point_3& center : { Point_3(0, 0, 0), Point_3(1000, -500, 0.25) })
     for(int ratio : { 1, 2, 3 }) {
@@ -211,7 +211,7 @@ TEST_CASE("Level set: of |x|^2 it is a sphere of the right radius whose facets f
     }
 }
 
-TEST_CASE("Level set: more subcells approach a sphere quadratically")
+TEST_CASE("Level set: the error on a sphere decreases quadratically with the size of the subcells")
 {
   const Field field = squared_norm(6, 0.25);
   double last = 0;
@@ -226,7 +226,7 @@ TEST_CASE("Level set: more subcells approach a sphere quadratically")
   }
 }
 
-TEST_CASE("Level set: of the distance to a circle it is a torus")
+TEST_CASE("Level set: the level set of the distance to a circle is a torus")
 {
   const Field field = make_field(13, 0.125, torus_distance);
   for(double level : { -0.1, 0., 0.1 }) {
@@ -242,7 +242,7 @@ TEST_CASE("Level set: of the distance to a circle it is a torus")
   }
 }
 
-TEST_CASE("Level set: facets face the way the field grows, also inwards")
+TEST_CASE("Level set: facets face along the gradient, even inwards")
 {
   const Field field = make_field(5, 0.25, [](const Vector_3& g) { return 1 - g.squared_length(); });
   Mesh mesh;
@@ -252,7 +252,7 @@ TEST_CASE("Level set: facets face the way the field grows, also inwards")
   CHECK(least_cosine(mesh, field) > 0.5);
 }
 
-TEST_CASE("Level set: one that runs into the end of the cells is refused, and the mesh is left alone")
+TEST_CASE("Level set: a set that leaves the cells is rejected, and the mesh is unchanged")
 {
   const Field field = make_field(3, 0.5, [](const Vector_3& g) { return g.x() + 2 * g.y(); });
   Mesh mesh;
@@ -266,7 +266,7 @@ TEST_CASE("Level set: one that runs into the end of the cells is refused, and th
   CHECK(extract_level_set(squared_norm(3, 0.5), 2.3, mesh) == Level_set_status::LEVEL_SET_LEAVES_CELLS);
 }
 
-TEST_CASE("Level set: a level that the field does not take has none")
+TEST_CASE("Level set: a level that the field does not attain yields an empty set")
 {
   const Field field = squared_norm(3, 0.5);
   Mesh mesh;
@@ -277,7 +277,7 @@ TEST_CASE("Level set: a level that the field does not take has none")
   CHECK(mesh.is_empty());
 }
 
-TEST_CASE("Level set: a level that the field has at corners of cells changes nothing")
+TEST_CASE("Level set: levels attained at corners of cells cause no defects")
 {
   // 3 |x|^2 on cells of width one: all values at corners are integers, and exact
   const Field field = make_field(6, 1, [](const Vector_3& g) { return 3 * g.squared_length() - 3; });
@@ -302,7 +302,7 @@ TEST_CASE("Level set: a level that the field has at corners of cells changes not
   check_closed_manifold(mesh);
 }
 
-TEST_CASE("Level set: of a field without any order it is still a closed manifold", "[slow]")
+TEST_CASE("Level set: the level set of a random field is a closed manifold", "[slow]")
 {
   for(unsigned seed = 0; seed < 8; ++seed) {
     std::mt19937 random(seed);
@@ -329,7 +329,7 @@ TEST_CASE("Level set: of a field without any order it is still a closed manifold
   }
 }
 
-TEST_CASE("Level set: cells that disagree on their common faces do not tear it")
+TEST_CASE("Level set: cells that disagree on their common faces cause no cracks")
 {
   // Adjacent cells are consistent only within the error radius, whatever its size.
   const Field field = squared_norm(6, 0.25);
@@ -347,7 +347,7 @@ TEST_CASE("Level set: cells that disagree on their common faces do not tear it")
     }
 }
 
-TEST_CASE("Level set: across cells of different sizes it is closed, and on the level", "[slow]")
+TEST_CASE("Level set: across cells of different sizes, the set is closed and on the level", "[slow]")
 {
   for(unsigned seed = 0; seed < 6; ++seed) {
     const int levels = 2 + int(seed) % 3;
@@ -369,8 +369,7 @@ TEST_CASE("Level set: across cells of different sizes it is closed, and on the l
   }
 }
 
-TEST_CASE("Level set: of a field without any order, on cells of different sizes, it is still a closed manifold",
-          "[slow]")
+TEST_CASE("Level set: the level set of a random field on cells of different sizes is a closed manifold", "[slow]")
 {
   std::size_t passed = 0;
   for(unsigned seed = 0; seed < 12; ++seed) {
@@ -401,7 +400,7 @@ TEST_CASE("Level set: of a field without any order, on cells of different sizes,
   CHECK(passed > 60);
 }
 
-TEST_CASE("Level set: cells of different sizes that disagree on their common faces do not tear it")
+TEST_CASE("Level set: cells of different sizes that disagree on their common faces cause no cracks")
 {
   const Hierarchical_field field = hierarchical_squared_norm(3, 10, 0.25, 3);
   for(double error : { 1e-15, 1e-6, 1e-2, 0.1 })
@@ -417,7 +416,7 @@ TEST_CASE("Level set: cells of different sizes that disagree on their common fac
     }
 }
 
-TEST_CASE("Level set: on cells of different sizes, selected cells must hold all of it")
+TEST_CASE("Level set: on cells of different sizes, selected cells must contain the whole set")
 {
   const Hierarchical_field field = hierarchical_squared_norm(5, 10, 0.25, 4);
   Mesh mesh;
@@ -445,7 +444,7 @@ TEST_CASE("Level set: on cells of different sizes, selected cells must hold all 
   CHECK(mesh.is_empty());
 }
 
-TEST_CASE("Level set: of a threshold that varies it is where the field equals it")
+TEST_CASE("Level set: the set of a varying threshold is where the field equals the threshold")
 {
   // |x|^2 = 1 + x / 2 is a sphere around (1/4, 0, 0)
   const Hierarchical_field field = hierarchical_squared_norm(2, 10, 0.25, 3);
@@ -468,7 +467,7 @@ TEST_CASE("Level set: of a threshold that varies it is where the field equals it
   CHECK(by_number.number_of_faces() == by_constant.number_of_faces());
 }
 
-TEST_CASE("Level set: selected cells pick one of two spheres, and must hold all of it")
+TEST_CASE("Level set: selected cells pick one of two spheres, and must contain it completely")
 {
   const auto distance = [](const Vector_3& g) {
     const double x = std::abs(g.x()) - 1.25;
@@ -521,7 +520,7 @@ TEST_CASE("Level set: selected cells pick one of two spheres, and must hold all 
   CHECK(euler_characteristic(left) == 6);
 }
 
-TEST_CASE("Level set: the output may be a Polyhedron_3, or have points of its own")
+TEST_CASE("Level set: the output may be a Polyhedron_3, or have another point map")
 {
   const Field field = make_field(13, 0.125, torus_distance);
   CGAL::Polyhedron_3<Kernel> polyhedron;
@@ -542,7 +541,7 @@ TEST_CASE("Level set: the output may be a Polyhedron_3, or have points of its ow
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
-TEST_CASE("Level set: several threads make the same mesh, vertex by vertex")
+TEST_CASE("Level set: several threads yield the same mesh, vertex by vertex")
 {
   const Field field = make_field(13, 0.125, torus_distance);
   Mesh one, several;

@@ -157,7 +157,7 @@ bool is_small(const Mesh& mesh)
 
 } // namespace
 
-TEST_CASE("Surfaces of a shell: closed, on either side of the mesh, and like it", "[slow]")
+TEST_CASE("Shell surfaces: the surfaces are closed, lie on either side of the mesh, and have its topology", "[slow]")
 {
   const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3(
     box(Point_3(0, 0, 0), Point_3(1, 0.6, 0.3)), BS::parameters::resolution(12).relative_thickness(0.005));
@@ -168,7 +168,7 @@ TEST_CASE("Surfaces of a shell: closed, on either side of the mesh, and like it"
   CHECK(outer > 0.18);
 }
 
-TEST_CASE("Surfaces of a shell: of an open mesh they surround what closes it, too")
+TEST_CASE("Shell surfaces: the surfaces of an open mesh also surround its closing")
 {
   const Mesh mesh = sheet({ 0, 0.2, 0.4, 0.6, 0.8, 1 }, { 0, 0.25, 0.5 }, [](double x, double) { return x * x / 8; });
   const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3(mesh);
@@ -179,7 +179,7 @@ TEST_CASE("Surfaces of a shell: of an open mesh they surround what closes it, to
   CHECK(inner < outer);
 }
 
-TEST_CASE("Surfaces of a shell: where a plate is thinner than cells are wide, both sides of the inner one are apart")
+TEST_CASE("Shell surfaces: in a plate thinner than a cell, both sides of the inner surface are separate")
 {
   const Mesh plate = box(Point_3(0, 0, 0), Point_3(1, 1, 0.05));
   const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3(plate);
@@ -187,7 +187,7 @@ TEST_CASE("Surfaces of a shell: where a plate is thinner than cells are wide, bo
   check_surfaces(shell, 2);
 }
 
-TEST_CASE("Surfaces of a shell: parts of the level set in the same cells are left out, by smaller boxes of the cover")
+TEST_CASE("Shell surfaces: other parts of the level set in the same cells are excluded by smaller boxes of the cover")
 {
   const Certificate certificate = certificate_of(small_sphere());
   const Shell shell = shell_of(certificate, boxes_within_ridge(certificate));
@@ -207,7 +207,7 @@ TEST_CASE("Surfaces of a shell: parts of the level set in the same cells are lef
   }
 }
 
-TEST_CASE("Surfaces of a shell: parts of the level set in the same component of the cover are left out, by paths")
+TEST_CASE("Shell surfaces: other parts of the level set in the same cover component are excluded by paths")
 {
   std::vector<BS::Cover_box> cover = certificate_of(both_spheres()).cover()->boxes();
   for(BS::Cover_box& box : cover)
@@ -225,7 +225,7 @@ TEST_CASE("Surfaces of a shell: parts of the level set in the same component of 
   CHECK(check_closed_manifold(surface) == 4);
 }
 
-TEST_CASE("Surfaces of a shell: without a cover, those in its cells")
+TEST_CASE("Shell surfaces: without a cover, all surfaces in the shell's cells are extracted")
 {
   const Certificate of_both = certificate_of(both_spheres()), of_one = certificate_of(small_sphere());
   const Shell shell = shell_of(of_both, of_both.cover()->boxes(), false);
@@ -237,7 +237,7 @@ TEST_CASE("Surfaces of a shell: without a cover, those in its cells")
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
-TEST_CASE("Surfaces of a shell: several threads make the same mesh, which is added to what is there")
+TEST_CASE("Shell surfaces: several threads yield the same mesh, which is added to the output mesh")
 {
   const Certificate certificate = certificate_of(small_sphere());
   const Shell shell = shell_of(certificate, certificate.cover()->boxes());

@@ -74,7 +74,7 @@ Mesh tilted_sheet()
 
 } // namespace
 
-TEST_CASE("Transfer: under the identity, whole numbers and colors arrive as they are")
+TEST_CASE("Transfer: under the identity, integers and colors are unchanged")
 {
   check_identity<int>("int", [](std::size_t n) { return int(n * 7919 % 1000003) - 500000; });
   check_identity<unsigned char>("unsigned char", [](std::size_t n) { return (unsigned char)(n * 37); });
@@ -91,7 +91,7 @@ TEST_CASE("Transfer: under the identity, whole numbers and colors arrive as they
   });
 }
 
-TEST_CASE("Transfer: under the identity, real values arrive up to rounding")
+TEST_CASE("Transfer: under the identity, real values are unchanged up to rounding")
 {
   Mesh mesh = sphere(2, 0.8);
   const Map map(ball(), mesh, mesh);
@@ -128,7 +128,7 @@ TEST_CASE("Transfer: under the identity, real values arrive up to rounding")
   }
 }
 
-TEST_CASE("Transfer: linear functions are reproduced, both ways, and what is not over the source is left alone")
+TEST_CASE("Transfer: linear functions are reproduced both ways, and vertices beyond the source keep their values")
 {
   Mesh a = source_sheet(), b = tilted_sheet();
   const Map map(slab(), a, b);
@@ -162,7 +162,7 @@ TEST_CASE("Transfer: linear functions are reproduced, both ways, and what is not
   CHECK(report.transferred + outside == a.number_of_vertices());
 }
 
-TEST_CASE("Transfer: between spheres, functions change by no more than the facets are off the spheres")
+TEST_CASE("Transfer: between spheres, errors are bounded by the distance of the facets from the spheres")
 {
   Mesh a = sphere(3, 0.7), b = turned(sphere(2, 0.85), 0.3);
   const Map map(ball(), a, b);
@@ -183,7 +183,7 @@ TEST_CASE("Transfer: between spheres, functions change by no more than the facet
   }
 }
 
-TEST_CASE("Transfer: averages of a constant are that constant, whatever the numbers of vertices")
+TEST_CASE("Transfer: averages of a constant equal the constant, whatever the numbers of vertices")
 {
   for(int fine : { 1, 3 }) {
     Mesh a = sphere(fine, 0.7), b = turned(sphere(2, 0.85), 0.3);
@@ -205,7 +205,7 @@ TEST_CASE("Transfer: averages of a constant are that constant, whatever the numb
   }
 }
 
-TEST_CASE("Transfer: an average keeps what the values add up to, if each is spread over the area around it")
+TEST_CASE("Transfer: averaging preserves the sum of the values, weighted by the areas around vertices")
 {
   // A fine sheet is averaged to a coarse one in the same rectangle. The sums of (value times area around a vertex) are
   // compared.
@@ -232,7 +232,7 @@ TEST_CASE("Transfer: an average keeps what the values add up to, if each is spre
   CHECK(sum2 == Approx(sum).epsilon(1e-12));
 }
 
-TEST_CASE("Transfer: functors interpolate and map values, and are told the differential")
+TEST_CASE("Transfer: functors interpolate and map values, and receive the differential")
 {
   Mesh a = source_sheet(), b = tilted_sheet();
   const Map map(slab(), a, b);
@@ -266,7 +266,7 @@ TEST_CASE("Transfer: functors interpolate and map values, and are told the diffe
   for(auto v : outer.vertices()) CHECK(stretch[v] == Approx(0.85 * 0.85 / (0.7 * 0.7)).epsilon(1e-7));
 }
 
-TEST_CASE("Transfer: labels of any kind arrive unchanged under the identity")
+TEST_CASE("Transfer: under the identity, labels of any type are unchanged")
 {
   Mesh mesh = sphere(2, 0.8);
   const Map map(ball(), mesh, mesh);
@@ -292,7 +292,7 @@ TEST_CASE("Transfer: labels of any kind arrive unchanged under the identity")
   CHECK(changed == 0);
 }
 
-TEST_CASE("Transfer: a facet gets the label that most of it has")
+TEST_CASE("Transfer: a facet gets the label that covers most of it")
 {
   // The source has strips along x with borders at 0.1 and 0.3. Each target is a single facet across them.
   Mesh a = sheet({ -0.8, 0.1, 0.3, 0.8 }, { -0.8, 0.8 }, [](double, double) { return 0.; });
@@ -334,7 +334,7 @@ TEST_CASE("Transfer: a facet gets the label that most of it has")
   CHECK(decided > 30);
 }
 
-TEST_CASE("Transfer: tangent vectors go to those of the target: homotheties, tilted planes")
+TEST_CASE("Transfer: tangent vectors are mapped to tangent vectors of the target, between spheres and to tilted planes")
 {
   // Concentric spheres have the same facets, so vectors are stretched by the ratio of the radii.
   Mesh a = sphere(2, 0.7), b = sphere(2, 0.85);
@@ -368,7 +368,7 @@ TEST_CASE("Transfer: tangent vectors go to those of the target: homotheties, til
   }
 }
 
-TEST_CASE("Transfer: of a cross that is sheared, the cross that fits best arrives")
+TEST_CASE("Transfer: a sheared cross is mapped to the best-fitting cross")
 {
   // The target is the plane z = slope x, with u along the slope and v across it. (x, y) is mapped to (stretch x, y).
   const double slope = 0.6, stretch = std::sqrt(1 + slope * slope);
@@ -408,7 +408,7 @@ TEST_CASE("Transfer: of a cross that is sheared, the cross that fits best arrive
     }
 }
 
-TEST_CASE("Transfer: what fails is named, and values there are left alone")
+TEST_CASE("Transfer: failures are reported, and values there are unchanged")
 {
   Mesh a = sphere(2, 0.7), b = sphere(1, 0.85);
   auto d = map_of<Vertex, double>(a, "v:d", 1.), d2 = map_of<Vertex, double>(b, "v:d", -7.);
@@ -479,7 +479,7 @@ TEST_CASE("Transfer: what fails is named, and values there are left alone")
   }
 }
 
-TEST_CASE("Transfer: over a hole, what fails is named and gets the value that the caller gives, or keeps its own")
+TEST_CASE("Transfer: failures over a hole are reported, and get the caller's default value, or keep their own")
 {
   // The source has a hole in the middle; the target continues over it.
   Mesh a = source_sheet(), b = tilted_sheet();
@@ -570,7 +570,7 @@ TEST_CASE("Transfer: over a hole, what fails is named and gets the value that th
   CHECK(lost == report.failures.size());
 }
 
-TEST_CASE("Transfer: to and from a mesh that is not valid, everything gets the caller's value")
+TEST_CASE("Transfer: from and to an invalid mesh, all elements get the caller's default value")
 {
   Mesh a = sphere(2, 0.7), b = sphere(1, 0.85);
   CGAL::Euler::join_face(b.halfedge(Face(0)), b);
@@ -591,7 +591,7 @@ TEST_CASE("Transfer: to and from a mesh that is not valid, everything gets the c
   }
 }
 
-TEST_CASE("Transfer: a facet without an area has no tangent vectors, and is named")
+TEST_CASE("Transfer: a facet of zero area gets no tangent vector, and is reported")
 {
   Mesh a = source_sheet(), b = tilted_sheet();
   const std::size_t before = b.number_of_faces();
@@ -606,7 +606,7 @@ TEST_CASE("Transfer: a facet without an area has no tangent vectors, and is name
   CHECK(w2[Face(Mesh::size_type(before))] == Vector_3(-7, -7, -7));
 }
 
-TEST_CASE("Transfer: one thread and several give the same, bit by bit")
+TEST_CASE("Transfer: results do not depend on the number of threads, bit for bit")
 {
   Mesh a = sphere(3, 0.7), b = turned(sphere(3, 0.85), 0.2);
   const Map map(ball(), a, b);

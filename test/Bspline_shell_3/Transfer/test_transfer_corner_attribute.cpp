@@ -58,7 +58,7 @@ Point_2 around(const Point_3& p, const Point_3& center)
 
 } // namespace
 
-TEST_CASE("Texture coordinates: under the identity they arrive unchanged, on closed surfaces that are cut open")
+TEST_CASE("Texture coordinates: under the identity, coordinates are unchanged, even on closed surfaces with cuts")
 {
   for(Mesh mesh : { torus(2, 0.7, 24, 12), sphere(2) }) {
     const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3(mesh, P::relative_thickness(0.02));
@@ -82,7 +82,7 @@ TEST_CASE("Texture coordinates: under the identity they arrive unchanged, on clo
   }
 }
 
-TEST_CASE("Texture coordinates: a facet across a seam gets one side of it, and is named")
+TEST_CASE("Texture coordinates: a facet across a seam gets the coordinates of one side, and is reported")
 {
   // Vertices and edges of the source are on the seam; steps are 1/8.
   Mesh a = sheet(steps(-0.75, 0.75, 12), steps(-0.8, 0.8, 7), [](double, double) { return 0.; });
@@ -113,7 +113,7 @@ TEST_CASE("Texture coordinates: a facet across a seam gets one side of it, and i
   }
 }
 
-TEST_CASE("Texture coordinates: around a ball, no edge goes round the wrong way")
+TEST_CASE("Texture coordinates: around a ball, no edge runs around the wrong way")
 {
   Mesh a = sphere(3, 0.75);
   Texture on_a = texture_of(a, "h:uv");
@@ -147,7 +147,7 @@ TEST_CASE("Texture coordinates: around a ball, no edge goes round the wrong way"
   }
 }
 
-TEST_CASE("Texture coordinates: what fails is named, and corners there are left alone")
+TEST_CASE("Texture coordinates: failures are reported, and corners there are unchanged")
 {
   Mesh a = sheet(steps(-0.75, 0.5, 5), steps(-0.75, 0.75, 7), [](double, double) { return 0.; });
   Mesh b = sheet(steps(-0.7, 0.7, 7), steps(-0.7, 0.7, 7), [](double, double) { return 0.1; });

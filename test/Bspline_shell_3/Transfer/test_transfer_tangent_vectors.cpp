@@ -143,7 +143,7 @@ void turn_some(const Mesh& mesh, Mesh::Property_map<Face, Vector_3>& vectors, in
 
 } // namespace
 
-TEST_CASE("Tangent vectors: the mean over a facet is that of what it covers")
+TEST_CASE("Tangent vectors: the mean over a facet is the mean of the source facets that it covers")
 {
   // Each facet of the target covers 16 facets of the source; their centroids are the samples.
   Mesh coarse = sheet(steps(-0.6, 0.6, 2), steps(-0.6, 0.6, 2), [](double, double) { return 0.4; }),
@@ -180,8 +180,7 @@ TEST_CASE("Tangent vectors: the mean over a facet is that of what it covers")
   }
 }
 
-TEST_CASE("Tangent vectors: the mean of crosses does not depend on which of four vectors stands for each, nor do "
-          "interpolated ones")
+TEST_CASE("Tangent vectors: means and interpolation of crosses do not depend on the vectors that represent them")
 {
   for(int symmetry : { 2, 3, 4, 6 }) {
     Mesh fine = sphere(3, 0.7), coarse = turned(sphere(2, 0.85), 0.3);
@@ -203,7 +202,7 @@ TEST_CASE("Tangent vectors: the mean of crosses does not depend on which of four
   }
 }
 
-TEST_CASE("Tangent vectors at vertices: a linear field on a plane is interpolated, and mapped, exactly")
+TEST_CASE("Tangent vectors at vertices: a linear field on a plane is interpolated and mapped exactly")
 {
   Mesh flat = sheet(steps(-0.8, 0.8, 7), steps(-0.8, 0.8, 9), [](double, double) { return 0.; }),
        tilted = sheet(steps(-0.7, 0.65, 11), steps(-0.6, 0.7, 6),
@@ -218,7 +217,7 @@ TEST_CASE("Tangent vectors at vertices: a linear field on a plane is interpolate
     CHECK((w[b] - linear(tilted.point(b).x(), tilted.point(b).y())).squared_length() < 1e-20);
 }
 
-TEST_CASE("Tangent vectors at vertices: crosses on spheres converge with the square of the edges' length")
+TEST_CASE("Tangent vectors at vertices: crosses on spheres converge quadratically with the length of the edges")
 {
   const Field field = [](const Point_3& p) { return in_plane(Vector_3(0.3, -0.4, 1), p - CGAL::ORIGIN); };
   for(int symmetry : { 1, 2, 4 }) {
@@ -246,7 +245,7 @@ TEST_CASE("Tangent vectors at vertices: crosses on spheres converge with the squ
   }
 }
 
-TEST_CASE("Tangent vectors: means and interpolation halve the angle, there and back")
+TEST_CASE("Tangent vectors: means and linear reconstruction halve the error of a round trip")
 {
   const Field field = [](const Point_3& p) {
     return CGAL::cross_product(Vector_3(0.2, 0.3, 1), p - CGAL::ORIGIN) + 0.5 * Vector_3(p.z(), p.x(), p.y());
@@ -302,7 +301,7 @@ TEST_CASE("Tangent vectors: singularities of fields on a sphere keep their index
   }
 }
 
-TEST_CASE("Tangent vectors: a field without singularities on a torus has none on a simplified torus either")
+TEST_CASE("Tangent vectors: a field without singularities on a torus has none on a simplified torus")
 {
   Mesh fine = torus(1, 0.4, 48, 24), coarse = fine;
   const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3(fine, P::relative_thickness(0.05));
@@ -322,7 +321,7 @@ TEST_CASE("Tangent vectors: a field without singularities on a torus has none on
   }
 }
 
-TEST_CASE("Tangent vectors: what does not arrive is named, and the number of threads does not matter")
+TEST_CASE("Tangent vectors: failures are reported, and results do not depend on the number of threads")
 {
   Mesh fine = sphere(3, 0.7), coarse = turned(sphere(1, 0.85), 0.3), outside = sphere(1, 2);
   auto v = sampled(fine, around_z, "v"), one = at_facets(coarse, "one"), two = at_facets(coarse, "two"),

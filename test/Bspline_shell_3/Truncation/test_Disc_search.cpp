@@ -59,7 +59,7 @@ bool is_embedded(const Mesh& cone, const BS::internal::Tip& tip, const BS::inter
 
 } // namespace
 
-TEST_CASE("All of many random singular cones get an embedded disc with a margin")
+TEST_CASE("Disc search: every random singular cone gets an embedded disc with a margin")
 {
   std::mt19937 random(5);
   for(int n = 0; n < 60; ++n) {
@@ -74,7 +74,7 @@ TEST_CASE("All of many random singular cones get an embedded disc with a margin"
   }
 }
 
-TEST_CASE("Parts of the sphere replace tips, too")
+TEST_CASE("Spherical discs: parts of the sphere can replace tips")
 {
   std::mt19937 random(6);
   int found = 0;

@@ -80,7 +80,7 @@ Mesh truncated(const Mesh& mesh, double radius, double margin, BS::Truncation_re
 
 } // namespace
 
-TEST_CASE("Meshes without bad vertices are not truncated")
+TEST_CASE("Truncated meshes: a mesh without bad vertices is not truncated")
 {
   BS::Truncation_report report;
   report.vertices.resize(3);
@@ -90,7 +90,7 @@ TEST_CASE("Meshes without bad vertices are not truncated")
   }
 }
 
-TEST_CASE("Six quadrants that face no common direction")
+TEST_CASE("Truncated meshes: a vertex of six quadrants that face no common direction is truncated")
 {
   const Mesh mesh = screw();
   REQUIRE(CGAL::is_closed(mesh));
@@ -106,7 +106,7 @@ TEST_CASE("Six quadrants that face no common direction")
   CHECK(result.number_of_vertices() > mesh.number_of_vertices());
 }
 
-TEST_CASE("Two singular vertices that an edge joins")
+TEST_CASE("Truncated meshes: two singular vertices that an edge joins are truncated within disjoint balls")
 {
   BS::Truncation_report report;
   truncated(screw(5), 1, 0.05, report);
@@ -118,7 +118,7 @@ TEST_CASE("Two singular vertices that an edge joins")
   }
 }
 
-TEST_CASE("A needle is truncated if a larger margin is asked for, and not otherwise")
+TEST_CASE("Truncated meshes: a needle is truncated only if a larger margin is requested")
 {
   BS::Truncation_report report;
   const Mesh needle = pyramid(12, 20);
@@ -129,7 +129,7 @@ TEST_CASE("A needle is truncated if a larger margin is asked for, and not otherw
   CHECK(report.vertices.front().margin_after > 0.3);
 }
 
-TEST_CASE("Folded edges are named, and left alone")
+TEST_CASE("Truncated meshes: folded edges are reported, and left unchanged")
 {
   // A blade: its two facets face opposite directions, up to half a degree.
   Mesh blade;
@@ -145,7 +145,7 @@ TEST_CASE("Folded edges are named, and left alone")
   CHECK(report.truncated() == 0);
 }
 
-TEST_CASE("Singular vertices on the border of an open mesh are named")
+TEST_CASE("Truncated meshes: singular vertices on the border of an open mesh are reported")
 {
   // The screw lacks one of the facets at its singular vertex, and is closed by that facet.
   Mesh open = screw();
@@ -171,7 +171,7 @@ TEST_CASE("Singular vertices on the border of an open mesh are named")
   CHECK(open.point(Mesh::Vertex_index(report.vertices.front().vertex)) == corner);
 }
 
-TEST_CASE("A vertex of large coordinates, near which rounding would decide, is not truncated")
+TEST_CASE("Truncated meshes: a vertex whose coordinates are too large for exact cuts is not truncated")
 {
   Mesh mesh = screw();
   for(auto v : mesh.vertices()) mesh.point(v) = mesh.point(v) + Vector_3(0x1p40, 0, 0);
@@ -181,7 +181,7 @@ TEST_CASE("A vertex of large coordinates, near which rounding would decide, is n
   CHECK(report.vertices.front().outcome == Outcome::NO_SPACE);
 }
 
-TEST_CASE("Other parts nearby make the ball smaller")
+TEST_CASE("Truncated meshes: other parts nearby reduce the radius of the ball")
 {
   // Another component is in the corner that the screw leaves open.
   Mesh mesh = screw();
@@ -193,7 +193,7 @@ TEST_CASE("Other parts nearby make the ball smaller")
   CHECK(report.vertices.front().radius <= 0.02 * std::sqrt(3.) / 2 * (1 + 1e-12));
 }
 
-TEST_CASE("Truncation does not depend on scale, rotation and threads")
+TEST_CASE("Truncated meshes: the truncation does not depend on scale, rotation or threads")
 {
   BS::Truncation_report first;
   truncated(screw(5), 0.2, 0.05, first);

@@ -93,7 +93,7 @@ std::vector<Map::Source_location> places(const Mesh& mesh)
 
 } // namespace
 
-TEST_CASE("A mesh with a singular vertex gets a certified shell")
+TEST_CASE("Truncated shells: a mesh with a singular vertex gets a certified shell")
 {
   const Shell& shell = screw_shell();
   REQUIRE(shell.is_certified());
@@ -116,7 +116,7 @@ TEST_CASE("A mesh with a singular vertex gets a certified shell")
   for(const BS::Level_range& range : shell.facet_ranges()) CHECK(range.min <= range.max);
 }
 
-TEST_CASE("Without truncation, a singular vertex is refused, or not certified")
+TEST_CASE("Truncated shells: without truncation, a singular vertex is rejected, or not certified")
 {
   const Shell refused = CGAL::certified_bspline_shell_3(screw_mesh(), parameters::truncate(false));
   CHECK(refused.status() == BS::Shell_status::SINGULAR_VERTEX);
@@ -132,7 +132,7 @@ TEST_CASE("Without truncation, a singular vertex is refused, or not certified")
   CHECK(certificate.verdict(BS::Claim::TRANSVERSALITY) == BS::Verdict::REFUTED);
 }
 
-TEST_CASE("A truncated mesh with the tip somewhere else is not certified")
+TEST_CASE("Truncated shells: a mesh whose tip is elsewhere is not certified")
 {
   Mesh moved = screw_mesh();
   moved.point(tip(moved)) = Point_3(1, 1, 1.0001);
@@ -140,7 +140,7 @@ TEST_CASE("A truncated mesh with the tip somewhere else is not certified")
   CHECK_FALSE(certificate.verify(moved));
 }
 
-TEST_CASE("A mesh with tips that intersects itself is not certified")
+TEST_CASE("Truncated shells: a self-intersecting mesh with tips is not certified")
 {
   // The certificate examines the truncated mesh, in which an intersection with the tip could go unnoticed.
   Mesh mesh = screw_mesh();
@@ -151,14 +151,14 @@ TEST_CASE("A mesh with tips that intersects itself is not certified")
   CHECK(certificate.status() == BS::Shell_status::SELF_INTERSECTION);
 }
 
-TEST_CASE("Meshes without bad vertices keep none")
+TEST_CASE("Truncated shells: the shell of a mesh without bad vertices has no truncation")
 {
   const Shell shell = CGAL::certified_bspline_shell_3(sphere(2));
   CHECK(shell.is_certified());
   CHECK_FALSE(shell.truncation());
 }
 
-TEST_CASE("The mesh with its tips is mapped to a simplified one, and back")
+TEST_CASE("Truncated shells: a mesh with tips is mapped to a simplified one, and back")
 {
   const Mesh& mesh = screw_mesh();
   CHECK(simplified().number_of_faces() < mesh.number_of_faces());
@@ -208,7 +208,7 @@ TEST_CASE("The mesh with its tips is mapped to a simplified one, and back")
   CHECK(worst < 1e-3);
 }
 
-TEST_CASE("The differential of the map is that of differences, at the tip, too")
+TEST_CASE("Truncated shells: the differential of the map agrees with finite differences, even at the tip")
 {
   const Mesh& mesh = screw_mesh();
   const Map map(screw_shell(), mesh, simplified());
@@ -239,7 +239,7 @@ TEST_CASE("The differential of the map is that of differences, at the tip, too")
   CHECK(tried > 500);
 }
 
-TEST_CASE("Attributes are transferred from and to a mesh with tips")
+TEST_CASE("Truncated shells: attributes are transferred from and to a mesh with tips")
 {
   const Mesh& mesh = screw_mesh();
   Mesh from = mesh, to = simplified();
@@ -273,7 +273,7 @@ TEST_CASE("Attributes are transferred from and to a mesh with tips")
   CHECK(BS::transfer_tangent_vectors(map.inverse(), target_vector, vector).failures.empty());
 }
 
-TEST_CASE("A mesh with tips is simplified and remeshed in its shell")
+TEST_CASE("Truncated shells: a mesh with tips is simplified and remeshed")
 {
   const Shell& shell = screw_shell();
   {
@@ -310,7 +310,7 @@ TEST_CASE("A mesh with tips is simplified and remeshed in its shell")
   }
 }
 
-TEST_CASE("A mesh that is refused after it was truncated is what it was")
+TEST_CASE("Truncated shells: a mesh that is rejected after its truncation is restored")
 {
   Mesh mesh = screw_mesh();
   // A vertex far from the tip is moved out of the shell.
@@ -328,7 +328,7 @@ TEST_CASE("A mesh that is refused after it was truncated is what it was")
   CHECK(result.offending_simplices.facets == expected);
 }
 
-TEST_CASE("Shells with a truncation are written and read")
+TEST_CASE("Truncated shells: a shell with a truncation is written and read")
 {
   for(BS::Shell_format format : { BS::Shell_format::BINARY, BS::Shell_format::ASCII }) {
     std::stringstream file;
@@ -353,7 +353,7 @@ TEST_CASE("Shells with a truncation are written and read")
   }
 }
 
-TEST_CASE("Truncated shells do not depend on the number of threads")
+TEST_CASE("Truncated shells: the result does not depend on the number of threads")
 {
   const auto np = parameters::relative_thickness(0.04);
   const Shell one = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(screw_mesh(), np);
@@ -363,7 +363,7 @@ TEST_CASE("Truncated shells do not depend on the number of threads")
   CHECK(first.str() == second.str());
 }
 
-TEST_CASE("An open mesh with a singular vertex is closed and truncated")
+TEST_CASE("Truncated shells: an open mesh with a singular vertex is closed and truncated")
 {
   // A facet far from the tip is removed; the hole gets a cap.
   Mesh mesh = screw_mesh();

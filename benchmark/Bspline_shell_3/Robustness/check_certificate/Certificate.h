@@ -58,7 +58,8 @@ struct Certificate
     for(bool& claim : claimed) {
       const std::string verdict = in.word();
       claim = verdict == "proved";
-      if(!claim && verdict != "refuted" && verdict != "undecided") in.fail("a verdict is none of the three");
+      if(!claim && verdict != "refuted" && verdict != "undecided")
+        in.fail("unknown verdict: expected \"proved\", \"refuted\" or \"undecided\"");
     }
     in.end_line();
     const Integer boxes = in.expect("boxes").integer(0, 1 << 30);
@@ -70,14 +71,14 @@ struct Certificate
       for(Integer& i : b.place) i = in.integer(0, (Integer(1) << b.depth) - 1);
       const std::string kind = in.word();
       if(kind.size() != 1 || !std::strchr("xgbauo", kind[0]))
-        in.fail("the kind of a box is none of x, g, b, a, u and o");
+        in.fail("unknown kind of box: expected x, g, b, a, u or o");
       b.kind = kind[0];
       b.proof = std::strchr("gba", b.kind) ? in.point() : Point{ 0, 0, 0 };
       box.push_back(b);
       in.end_line();
     }
     if(std::size_t(in.expect("seeds").integer(0, 1 << 30)) != mesh.components)
-      in.fail("there is not one seed for each component");
+      in.fail("expected one seed for each component of the mesh");
     in.end_line();
     for(Integer n = 0; n < Integer(mesh.components); ++n) {
       in.integer(n, n);

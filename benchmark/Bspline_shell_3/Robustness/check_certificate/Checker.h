@@ -83,7 +83,7 @@ public:
     for(int i = 2; i < 5; ++i)
       if(claimed[i] && !claimed[0]) throw Unconfirmed("P" + std::to_string(i + 1) + " is claimed without P1");
     if(!mesh.is_closed_and_oriented())
-      throw Unconfirmed("The mesh is not closed, or its facets do not agree on a side");
+      throw Unconfirmed("The mesh is not closed, or its facets are not oriented consistently");
     if(claimed[0] || claimed[1])
       for(std::size_t f = 0; f < mesh.facet.size(); ++f) check_facet(f);
     if(claimed[2] || claimed[3]) check_boxes();
@@ -197,10 +197,10 @@ private:
             && holds_on(
               t, [](const Splines& s) { return above(s, OUTER); }, [](const Interval& r) { return r.hi <= 0; })))
       throw Unconfirmed("P1, facet " + std::to_string(f)
-                        + ": f is not between the thresholds on it, or it leaves the leaves");
+                        + ": cannot confirm that the facet is in the leaves, with f between the thresholds");
     if(certificate.claimed[1] && !rises_on(t, normal(t)))
       throw Unconfirmed("P2, facet " + std::to_string(f)
-                        + ": the gradient does not make an acute angle with its normal");
+                        + ": cannot confirm that the gradient makes an acute angle with the normal");
   }
 
   // Returns whether holds(splines on the part, part) is true for all parts of a box. If it is false, the part is
@@ -351,7 +351,7 @@ private:
 
     for(std::size_t l = 0; l < shell.leaf.size(); ++l)
       if(begin[l] < begin[l + 1] && !is_partition(begin[l], begin[l + 1]))
-        throw Unconfirmed("P3, leaf " + std::to_string(l) + ": its boxes are not a partition of it");
+        throw Unconfirmed("P3, leaf " + std::to_string(l) + ": its boxes are not a partition of the leaf");
     for(std::size_t n = 0; n < box.size(); ++n) check_range(n);
     for(std::size_t n = 0; n < box.size(); ++n)
       if(box[n].is_cover()) check_surroundings(n, begin);
@@ -360,7 +360,7 @@ private:
     for(std::size_t n = 0; n < box.size(); ++n)
       if(box[n].is_cover() && cover.find(n) == n) root.push_back(n);
     if(root.size() != certificate.covers)
-      throw Unconfirmed("P4: the cover has " + std::to_string(root.size()) + " components, not "
+      throw Unconfirmed("P4: the cover has " + std::to_string(root.size()) + " components, but the certificate states "
                         + std::to_string(certificate.covers));
     std::vector<std::size_t> root_of_seed;
     for(std::size_t c = 0; c < mesh.components; ++c) root_of_seed.push_back(cover.find(cover_box_of_seed(c, begin)));
@@ -383,21 +383,24 @@ private:
     const Box& b = certificate.box[n];
     const std::string name = name_of(n);
     if(b.kind == 'x' && !holds_on_box(b, [](const Splines& s, const Part&) { return is_excluded(s); }))
-      throw Unconfirmed(name + "f is not less than the inner threshold, nor greater than the outer one, on all of it");
+      throw Unconfirmed(name
+                        + "cannot confirm that f is below the inner threshold or above the outer one on the whole box");
     if(!certificate.claimed[2]) return;
-    if(b.kind == 'u') throw Unconfirmed(name + "it is undecided");
+    if(b.kind == 'u') throw Unconfirmed(name + "the box is undecided");
     const std::array<Interval, 3> direction = { b.proof[0], b.proof[1], b.proof[2] };
     if(b.kind == 'g' && !holds_on_box(b, [&](const Splines& s, const Part&) { return is_crossed(s, direction); }))
-      throw Unconfirmed(
-        name + "f does not rise in its direction on all of it, or not more steeply than a threshold that it meets");
+      throw Unconfirmed(name
+                        + "cannot confirm that f increases along the direction on the whole box, faster than a "
+                          "threshold that it meets");
     const auto is_critical = [&](const Splines& s, const Part& part) {
       std::array<Interval, 3> center;
       for(int axis = 0; axis < 3; ++axis) center[axis] = (Interval(b.proof[axis]) - part.low[axis]) / part.edge;
       return is_critical_beyond(s, b.kind == 'b' ? INNER : OUTER, center);
     };
     if((b.kind == 'b' || b.kind == 'a') && !holds_on_box(b, is_critical))
-      throw Unconfirmed(
-        name + "f may have a critical point in the shell on it, or is not steeper than a threshold that it meets");
+      throw Unconfirmed(name
+                        + "cannot confirm that f has no critical point in the shell on the box, and is steeper than a "
+                          "threshold that it meets");
   }
 
   // A cover box must be surrounded by cover boxes and excluded boxes. Where leaves end, f must be beyond a threshold.
@@ -411,16 +414,16 @@ private:
         if(!holds_towards_cell(certificate.box[n], cell.extent(),
                                [](const Splines& s, const Part&) { return is_excluded(s); }))
           throw Unconfirmed(
-            name + "where the leaves end, f is not less than the inner threshold, nor greater than the outer one");
+            name + "cannot confirm that f is below the inner threshold or above the outer one where the leaves end");
         return;
       }
       if(begin[leaf->number] == begin[leaf->number + 1])
-        throw Unconfirmed(name + "a cell that it touches has no boxes");
+        throw Unconfirmed(name + "the box touches a leaf without boxes");
       for(std::size_t m = begin[leaf->number]; m < begin[leaf->number + 1]; ++m) {
         const Box& other = certificate.box[m];
         if(other.kind == 'x' || !extent.touches(other.extent(shell))) continue;
         if(other.kind == 'o')
-          throw Unconfirmed(name + "it touches box " + std::to_string(m) + ", about which nothing is claimed");
+          throw Unconfirmed(name + "the box touches box " + std::to_string(m) + ", for which there is no claim");
         cover.join(n, m);
       }
     });
@@ -436,7 +439,7 @@ private:
         if(certificate.box[n].is_cover() && Shell::contains(certificate.box[n].extent(shell), place)) found = n;
     });
     if(found == certificate.box.size())
-      throw Unconfirmed("P3, component " + std::to_string(component) + ": its seed is in no cover box");
+      throw Unconfirmed("P3, component " + std::to_string(component) + ": the seed is not in a cover box");
     return found;
   }
 
@@ -448,20 +451,23 @@ private:
   // P5
   void check_paths() const
   {
-    if(certificate.path.size() != mesh.components) throw Unconfirmed("P5: there is not one path for each component");
+    if(certificate.path.size() != mesh.components)
+      throw Unconfirmed("P5: the number of paths is not the number of components");
     for(const Path& path : certificate.path) {
       const std::string name = "P5, path " + std::to_string(path.component) + ": ";
       if(mesh.component[mesh.facet[path.facet][0]] != path.component)
-        throw Unconfirmed(name + "its facet is of another component");
+        throw Unconfirmed(name + "its facet belongs to another component");
       if(!(shell.value(FIELD, path.p) < shell.value(INNER, path.p)))
-        throw Unconfirmed(name + "it does not begin below the inner threshold");
+        throw Unconfirmed(name + "the path does not begin below the inner threshold");
       if(!(shell.value(FIELD, path.q) > shell.value(OUTER, path.q)))
-        throw Unconfirmed(name + "it does not end above the outer threshold");
+        throw Unconfirmed(name + "the path does not end above the outer threshold");
       std::array<Interval, 3> direction;
       for(int i = 0; i < 3; ++i) direction[i] = Interval(path.q[i]) - Interval(path.p[i]);
       for(int threshold : { FIELD, INNER, OUTER })
         if(!rises_on({ path.p, path.q, path.q }, direction, threshold))
-          throw Unconfirmed(name + "f, or f minus a threshold, does not rise on all of it, or it leaves the leaves");
+          throw Unconfirmed(name
+                            + "cannot confirm that the path is in the leaves, and that f and its distances from the "
+                              "thresholds increase along it");
       int count = 0;
       bool crosses = false; // the path's own facet
       for(std::size_t f = 0; f < mesh.facet.size(); ++f) {
@@ -469,8 +475,8 @@ private:
         count += crossing;
         crosses = crosses || (f == path.facet && crossing != 0);
       }
-      if(count != 1) throw Unconfirmed(name + "it crosses the mesh with count " + std::to_string(count));
-      if(!crosses) throw Unconfirmed(name + "it does not cross its facet");
+      if(count != 1) throw Unconfirmed(name + "the path crosses the mesh with count " + std::to_string(count));
+      if(!crosses) throw Unconfirmed(name + "the path does not cross its facet");
     }
   }
 
@@ -491,7 +497,7 @@ private:
       (side > 0 ? left : side < 0 ? right : on) = true;
     }
     if(left && right) return 0;
-    if(on) throw Unconfirmed(name + " it does not pass through the interior");
+    if(on) throw Unconfirmed(name + ", the path does not pass through the interior of the facet");
     return at_q;
   }
 

@@ -50,10 +50,10 @@ inline std::string hexadecimal(std::uint64_t number)
 inline std::string read_file(const std::string& name)
 {
   std::ifstream in(name, std::ios::binary | std::ios::ate);
-  if(!in) throw Malformed("Cannot read " + name);
+  if(!in) throw Malformed(name + ": the file cannot be read");
   std::string text(static_cast<std::size_t>((std::max)(std::streamoff(0), std::streamoff(in.tellg()))), '\0');
   in.seekg(0);
-  if(!in.read(&text[0], std::streamsize(text.size()))) throw Malformed("Cannot read " + name);
+  if(!in.read(&text[0], std::streamsize(text.size()))) throw Malformed(name + ": the file cannot be read");
   return text;
 }
 
@@ -84,19 +84,19 @@ public:
     start_token();
     const char* const first = next;
     while(next != end && static_cast<unsigned char>(*next) > ' ') ++next;
-    if(next == first) fail("something is missing");
+    if(next == first) fail("a word is missing");
     return std::string(first, next);
   }
   Reader& expect(const std::string& text)
   {
-    if(word() != text) fail("\"" + text + "\" is expected");
+    if(word() != text) fail("expected \"" + text + "\"");
     return *this;
   }
   double number()
   {
     double x = 0;
     parse(x);
-    if(!(std::abs(x) <= largest)) fail("a number is not finite or too large");
+    if(!(std::abs(x) <= largest)) fail("a number is not finite, or larger than 1e60");
     return x;
   }
   Integer integer(Integer least, Integer most)
@@ -115,7 +115,7 @@ public:
   void end_line()
   {
     if(!strict) return;
-    if(next == end || *next != '\n') fail("the line does not end where it should");
+    if(next == end || *next != '\n') fail("expected the end of the line");
     ++next;
     ++line;
     at_line_start = true;
@@ -123,7 +123,7 @@ public:
   void end_file()
   {
     if(!strict) skip_blanks();
-    if(next != end) fail("there is more than there should be");
+    if(next != end) fail("unexpected data after the last section");
   }
 
   std::string checksum;
@@ -132,7 +132,7 @@ private:
   void start_token()
   {
     if(!strict) return skip_blanks();
-    if(!at_line_start && (next == end || *next++ != ' ')) fail("a blank is expected");
+    if(!at_line_start && (next == end || *next++ != ' ')) fail("expected a blank");
     at_line_start = false;
   }
   void skip_blanks()
@@ -149,7 +149,7 @@ private:
     start_token();
     const std::from_chars_result result = std::from_chars(next, end, value);
     if(result.ec != std::errc() || (result.ptr != end && static_cast<unsigned char>(*result.ptr) > ' '))
-      fail("a number is expected");
+      fail("expected a number");
     next = result.ptr;
   }
 

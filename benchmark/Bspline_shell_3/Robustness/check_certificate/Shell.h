@@ -115,22 +115,23 @@ public:
     in.end_line();
     const std::string thresholds = in.word();
     constant = thresholds == "levels";
-    if(!constant && thresholds != "thickness") in.fail("neither levels nor a thickness");
+    if(!constant && thresholds != "thickness") in.fail("expected \"levels\" or \"thickness\"");
     if(constant) {
       level[0] = in.number();
       level[1] = in.number();
-      if(!(level[0] < level[1])) in.fail("the levels are not in order");
+      if(!(level[0] < level[1])) in.fail("the levels are not in ascending order");
     } else in.number();
     in.end_line();
     in.expect("triangles").integer(0, (std::numeric_limits<Integer>::max)());
     in.expect("components").integer(0, (std::numeric_limits<Integer>::max)());
     in.end_line();
     const std::string kind = in.expect("field").word();
-    if(kind != "uniform" && kind != "hierarchical") in.fail("a field of an unknown kind");
+    if(kind != "uniform" && kind != "hierarchical")
+      in.fail("unknown kind of field: expected \"uniform\" or \"hierarchical\"");
     const int last_level = kind == "uniform" ? 0 : largest_level;
     origin = in.point();
     spacing = in.number();
-    if(!(spacing >= 1 / largest)) in.fail("the spacing is not positive or too small");
+    if(!(spacing >= 1 / largest)) in.fail("the spacing is less than 1e-60");
     in.end_line();
     const Integer functions = count(in, "functions");
     for(Integer n = 0; n < functions; ++n) {
@@ -224,7 +225,7 @@ public:
     visit_leaves(extent(place), [&](const Cell& c, const Leaf* there) {
       if(there && contains(c.extent(), place)) l = there;
     });
-    if(!l) throw Unconfirmed("A point is not in a leaf");
+    if(!l) throw Unconfirmed("A point is not in any leaf");
     std::array<std::array<Rational, 4>, 3> weight;
     for(int axis = 0; axis < 3; ++axis) {
       const Rational t = place[axis] / l->edge() - l->position[axis], s = 1 - t;
@@ -255,7 +256,7 @@ public:
     for(int axis = 0; axis < 3; ++axis) {
       const Interval about = enclose(place[axis]);
       const double most = double(largest_index) * double(root_edge);
-      if(!(about.lo >= -most && about.hi <= most)) throw Unconfirmed("A point is not in a leaf");
+      if(!(about.lo >= -most && about.hi <= most)) throw Unconfirmed("A point is not in any leaf");
       e.low[axis] = Integer(std::floor(about.lo));
       e.high[axis] = Integer(std::ceil(about.hi));
     }
@@ -379,7 +380,7 @@ private:
         if(!split[c.level].insert(key(c.position)).second) break; // its ancestors are already there
       }
     for(const Leaf& l : leaf)
-      if(is_split(l)) throw Malformed("Leaf " + std::to_string(l.number) + " overlaps another");
+      if(is_split(l)) throw Malformed("Leaf " + std::to_string(l.number) + " overlaps another leaf");
   }
 
   // Checks that the leaves' polynomials agree up to second derivatives wherever leaves touch. Leaves of one level share

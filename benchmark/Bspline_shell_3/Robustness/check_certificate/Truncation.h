@@ -161,7 +161,7 @@ public:
     for(Index f = 0; f < cut_facet.size(); ++f) check_parts(f, parts[f], sides);
     for(const Edge& e : sides)
       if((is_cut(e.first) || is_cut(e.second)) && sides.count(Edge(e.second, e.first)) == 0)
-        throw Unconfirmed("T: points " + text(e) + " are on an edge that no other facet cuts there");
+        throw Unconfirmed("T: no other facet is cut along the edge between points " + text(e));
     for(Index d = 0; d < disc.size(); ++d) {
       check_tip(d);
       check_disc(d);
@@ -216,7 +216,7 @@ public:
     for(const auto& f : mesh.facet)
       for(Index v : f)
         if(vertex.emplace(mesh.point[v], v).first->second != v)
-          throw Unconfirmed("T: two vertices of the mesh are in the same place");
+          throw Unconfirmed("T: two vertices of the mesh have the same coordinates");
     std::vector<Located_facet> facets = located_facets(mesh);
     std::vector<Patch> result;
     std::set<Point> changed;
@@ -229,7 +229,7 @@ public:
     for(const Located_facet& f : facets)
       for(const Point& p : f)
         if(changed.count(p) != 0)
-          throw Unconfirmed("T: a facet beyond the truncation has a corner that was cut off, or one that it made");
+          throw Unconfirmed("T: a facet outside the truncation has a corner that the truncation removes or creates");
     return result;
   }
 
@@ -247,8 +247,10 @@ private:
     for(Index n = 0; n < cut.size(); ++n) {
       const Cut& c = cut[n];
       if(!(c.s > 0 && c.t >= 0 && Rational(c.s) + Rational(c.t) < 1))
-        throw Unconfirmed(name("cut", n) + "it is not between its corners");
-      if((c.second == none) != (c.t == 0)) throw Unconfirmed(name("cut", n) + "whether it is on an edge is not clear");
+        throw Unconfirmed(name("cut", n) + "the cut is not between its corners");
+      if((c.second == none) != (c.t == 0))
+        throw Unconfirmed(name("cut", n)
+                          + "T is zero although there is a second corner, or not zero although there is none");
     }
   }
 
@@ -260,24 +262,24 @@ private:
     for(Index n = 0; n < disc.size(); ++n) {
       const Disc& d = disc[n];
       const std::string name = Truncation::name("disc", n);
-      if(!seen.insert(d.center).second) throw Unconfirmed(name + "its center has another one");
-      if(d.rim.size() < 3) throw Unconfirmed(name + "its rim is no polygon");
+      if(!seen.insert(d.center).second) throw Unconfirmed(name + "another disc has the same center");
+      if(d.rim.size() < 3) throw Unconfirmed(name + "the rim has fewer than three points");
       for(Index p : d.rim) {
         if(!is_cut(p) || cut[p - corners].center != d.center)
-          throw Unconfirmed(name + "point " + std::to_string(p) + " of its rim is no cut around its center");
+          throw Unconfirmed(name + "point " + std::to_string(p) + " of the rim is not a cut around the center");
         if(disc_of[p - corners] != none)
-          throw Unconfirmed(name + "point " + std::to_string(p) + " of its rim is in a rim before");
+          throw Unconfirmed(name + "point " + std::to_string(p) + " of the rim is in an earlier rim");
         disc_of[p - corners] = n;
       }
       for(const Triple& t : d.triangle)
         for(Index p : t) {
           if(p >= corners && !is_cut(p) && disc_of[p - corners] == none) disc_of[p - corners] = n;
           if(p < corners || disc_of[p - corners] != n)
-            throw Unconfirmed(name + "point " + std::to_string(p) + " of a triangle is not one of its own");
+            throw Unconfirmed(name + "point " + std::to_string(p) + " of a triangle is not a point of the disc");
         }
     }
     for(Index i = 0; i < planar.size(); ++i)
-      if(disc_of[i] == none) throw Unconfirmed("T: point " + std::to_string(corners + i) + " is in no disc");
+      if(disc_of[i] == none) throw Unconfirmed("T: point " + std::to_string(corners + i) + " is not in a disc");
   }
 
   // Common points of facets are identified by their coordinates. So no two vertices of U may have the same coordinates,
@@ -288,15 +290,15 @@ private:
     for(Index p = 0; p < point.size(); ++p)
       if((p < corners && !before.emplace(point[p], p).second)
          || (!(p < corners && is_center(p)) && !after.emplace(point[p], p).second))
-        throw Unconfirmed("T: point " + std::to_string(p) + " is where another one is");
+        throw Unconfirmed("T: point " + std::to_string(p) + " has the coordinates of another point");
   }
 
   void check_cores() const
   {
     for(Index n = 0; n < core.size(); ++n)
       for(Index p : core[n].triangle) {
-        if(p >= corners && !is_cut(p)) throw Unconfirmed(name("core", n) + "a corner of it is within a disc");
-        if(p < corners && is_center(p)) throw Unconfirmed(name("core", n) + "a corner of it is cut off");
+        if(p >= corners && !is_cut(p)) throw Unconfirmed(name("core", n) + "a corner is in the interior of a disc");
+        if(p < corners && is_center(p)) throw Unconfirmed(name("core", n) + "a corner is cut off");
       }
   }
 
@@ -308,8 +310,9 @@ private:
     for(Index f = 0; f < cut_facet.size(); ++f)
       for(int i = 0; i < 3; ++i) {
         const Edge e(cut_facet[f][i], cut_facet[f][(i + 1) % 3]);
-        if(e.first == e.second) throw Unconfirmed(name("facet", f) + "it is degenerate");
-        if(!edges.insert(e).second) throw Unconfirmed(name("facet", f) + "another one is on the same side of an edge");
+        if(e.first == e.second) throw Unconfirmed(name("facet", f) + "the facet is degenerate");
+        if(!edges.insert(e).second)
+          throw Unconfirmed(name("facet", f) + "another facet is on the same side of an edge");
       }
   }
 
@@ -319,7 +322,8 @@ private:
     const Triple& t = cut_facet[facet];
     const auto corner = [&](Index q) {
       const std::size_t i = std::size_t(std::find(t.begin(), t.end(), q) - t.begin());
-      if(i == 3) throw Unconfirmed(name("facet", facet) + "point " + std::to_string(p) + " of a part is not in it");
+      if(i == 3)
+        throw Unconfirmed(name("facet", facet) + "point " + std::to_string(p) + " of a part is not in the facet");
       return i;
     };
     Barycentric b = { 0, 0, 0 };
@@ -332,7 +336,7 @@ private:
     const bool in_order = c.second == none ? first != center
                                            : first == (center + 1) % 3 && corner(c.second) == (center + 2) % 3;
     if(!in_order)
-      throw Unconfirmed(name("facet", facet) + "point " + std::to_string(p) + " is between corners in another order");
+      throw Unconfirmed(name("facet", facet) + "the corners of point " + std::to_string(p) + " are in the wrong order");
     b[center] = 1 - (Rational(c.s) + Rational(c.t));
     b[first] = c.s;
     if(c.second != none) b[corner(c.second)] = c.t;
@@ -371,7 +375,7 @@ private:
       for(Index q : p)
         if(at.count(q) == 0) at.emplace(q, place(f, q));
       if(!(orientation(at[p[0]], at[p[1]], at[p[2]], 1) > 0))
-        throw Unconfirmed(name + "a part of it is turned, or degenerate");
+        throw Unconfirmed(name + "a part is reversed or degenerate");
     }
     const std::set<Edge> edges = border(parts, name);
     std::size_t steps = 0;
@@ -382,15 +386,15 @@ private:
         // There must be exactly one edge of the border that begins here.
         const auto e = edges.lower_bound(Edge(p, 0));
         if(e == edges.end() || e->first != p || (std::next(e) != edges.end() && std::next(e)->first == p))
-          throw Unconfirmed(name + "its parts do not end at its sides");
+          throw Unconfirmed(name + "the parts do not end at the sides");
         const Index q = e->second;
         if(at[p][off] != 0 || at[q][off] != 0 || !(at[p][last] < at[q][last]))
-          throw Unconfirmed(name + "its parts do not end at its sides");
+          throw Unconfirmed(name + "the parts do not end at the sides");
         p = q;
         ++steps;
       }
     }
-    if(steps != edges.size()) throw Unconfirmed(name + "its parts leave gaps");
+    if(steps != edges.size()) throw Unconfirmed(name + "the parts leave gaps");
     sides.insert(edges.begin(), edges.end());
   }
 
@@ -403,11 +407,11 @@ private:
     for(std::size_t i = 0; i < d.rim.size(); ++i) {
       const Planar_point &p = planar[d.rim[i] - corners], &q = planar[d.next(i) - corners];
       if(!(orientation(Planar_point{ 0, 0 }, p, q, 0) > 0))
-        throw Unconfirmed(name("disc", n) + "in the plane, its rim does not turn around the center");
+        throw Unconfirmed(name("disc", n) + "in the plane, the rim does not turn around the center");
       turns += p[1] < 0 && q[1] >= 0 ? 1 : 0;
     }
     if(turns != 1)
-      throw Unconfirmed(name("disc", n) + "in the plane, its rim leads around the center " + std::to_string(turns)
+      throw Unconfirmed(name("disc", n) + "in the plane, the rim winds around the center " + std::to_string(turns)
                         + " times");
   }
 
@@ -417,11 +421,11 @@ private:
     const Disc& d = disc[n];
     for(const Triple& t : d.triangle)
       if(!(orientation(planar[t[0] - corners], planar[t[1] - corners], planar[t[2] - corners], 0) > 0))
-        throw Unconfirmed(name("disc", n) + "in the plane, a triangle is turned, or degenerate");
+        throw Unconfirmed(name("disc", n) + "in the plane, a triangle is reversed or degenerate");
     std::set<Edge> rim;
     for(std::size_t i = 0; i < d.rim.size(); ++i) rim.emplace(d.rim[i], d.next(i));
     if(border(d.triangle, name("disc", n)) != rim)
-      throw Unconfirmed(name("disc", n) + "its triangles do not end at its rim");
+      throw Unconfirmed(name("disc", n) + "the triangles do not end at the rim");
   }
 
   Index corners = 0;                // the number of vertices of U

@@ -68,14 +68,15 @@ void check_user_mesh(const Shell& shell, const std::vector<Truncation::Patch>& p
   std::vector<Located_facet> facets = located_facets(user_mesh), added;
   for(const Truncation::Patch& patch : patches) {
     if(!std::includes(facets.begin(), facets.end(), patch.cut_facets.begin(), patch.cut_facets.end()))
-      throw Unconfirmed("A: the user's mesh does not have all facets that are cut");
+      throw Unconfirmed("A: the user's mesh lacks facets that the truncation cuts");
     facets = without(facets, patch.cut_facets);
     added.insert(added.end(), patch.new_facets.begin(), patch.new_facets.end());
   }
   if(!user_mesh.is_closed_and_oriented()) added.insert(added.end(), shell.closing.begin(), shell.closing.end());
   facets.insert(facets.end(), added.begin(), added.end());
   std::sort(facets.begin(), facets.end());
-  if(facets != located_facets(mesh)) throw Unconfirmed("A: the mesh is not what becomes of the user's mesh");
+  if(facets != located_facets(mesh))
+    throw Unconfirmed("A: the mesh is not the user's mesh after closing and truncation");
 }
 
 int main(int argc, char** argv)
@@ -86,9 +87,9 @@ int main(int argc, char** argv)
     return 2;
   }
   if(!usable_arithmetic()) {
-    std::cerr
-      << "Double arithmetic is not that of IEEE 754 rounded to nearest: compile without -ffast-math and the like"
-      << std::endl;
+    std::cerr << "Double arithmetic does not follow IEEE 754 with rounding to nearest: compile without -ffast-math and "
+                 "similar options."
+              << std::endl;
     return 2;
   }
   try {

@@ -113,7 +113,7 @@ void check_verdict(Tally& tally, const std::string& kind, Verdict verdict, const
   if(verdict == Verdict::PROVED) {
     for(const Barycentric<size>& b : worst_points(simplex, margin))
       if(shell.ask(exact_point(simplex, b), holds, needed) != Shell::HOLDS) {
-        tally.wrong(kind, "proved on" + describe(simplex));
+        tally.wrong(kind, "wrongly proved on" + describe(simplex));
         return;
       }
   } else if(verdict == Verdict::REFUTED) {
@@ -121,9 +121,10 @@ void check_verdict(Tally& tally, const std::string& kind, Verdict verdict, const
     double sum = 0;
     for(std::size_t v = 0; v < size; ++v) sum += b[v] = witness.barycentric[v];
     const Dyadic_vector p = exact_point(simplex, b);
-    if(sum != 1 || shell.ask(p, holds, needed) != Shell::FAILS) tally.wrong(kind, "refuted on" + describe(simplex));
+    if(sum != 1 || shell.ask(p, holds, needed) != Shell::FAILS)
+      tally.wrong(kind, "wrongly refuted on" + describe(simplex));
     if(witness.outside && !shell.exact_field().cells_at(p).empty())
-      tally.wrong(kind, "a witness outside of the domain is inside, of" + describe(simplex));
+      tally.wrong(kind, "a witness that should be outside the domain is inside, on" + describe(simplex));
   }
 }
 

@@ -174,7 +174,7 @@ private:
     }
     m_tally.count(m_is_star ? "certificate_of_star" : "certificate", worst);
     if((worst == Verdict::PROVED) != certificate.is_certified())
-      m_tally.wrong("certificate", "is at odds with its claims");
+      m_tally.wrong("certificate", "the result contradicts the claims");
     if(certificate.is_certified()) check_certified(shell, certificate);
     check_facets(shell, certificate);
     if(chance(m_random, 0.3)) check_scaled(field, inner, outer, certificate);
@@ -222,21 +222,21 @@ private:
       is_right = is_right && other.least_gradient() == std::ldexp(certificate.least_gradient(), exponent)
                  && other.least_angle() == certificate.least_angle();
     m_tally.count(has_room ? "scaled_certificate" : "scaled_certificate_without_room", is_right,
-                  "by 2^" + std::to_string(exponent));
+                  "wrong after scaling by 2^" + std::to_string(exponent));
   }
 
   void check_certified(const Shell& shell, const Certificate& certificate)
   {
-    if(m_is_star) m_tally.wrong("certificate_of_star", "certified");
+    if(m_is_star) m_tally.wrong("certificate_of_star", "wrongly certified");
     if(CGAL::Polygon_mesh_processing::does_self_intersect(m_mesh))
       m_tally.wrong("certificate", "the mesh intersects itself");
     // Rays from one surface to the other are in the shell.
-    if(m_is_pair) m_tally.wrong("certificate", "two surfaces in one component");
+    if(m_is_pair) m_tally.wrong("certificate", "a component contains two surfaces");
     const std::vector<CGAL::SM_Face_index> faces(m_mesh.faces().begin(), m_mesh.faces().end());
     for(int n = 0; n < 8; ++n) {
       const auto count = crossings_of_path(
         shell, triangle_of(m_mesh, faces[std::size_t(m_random.get_int(0, int(faces.size())))]), true);
-      if(count) m_tally.count("path", *count == 1, "crosses the mesh " + std::to_string(*count) + " times");
+      if(count) m_tally.count("path", *count == 1, "the path crosses the mesh " + std::to_string(*count) + " times");
     }
     // Displacements and the least gradient are bounds for the whole shell; here, they are checked on the mesh.
     const Dyadic bound(certificate.least_gradient());
@@ -249,7 +249,7 @@ private:
       bool is_right = true;
       for(const Barycentric<3>& b : worst_points(t, size, 6, 1))
         is_right = is_right && shell.ask(exact_point(t, b), steep_enough) == Shell::HOLDS;
-      m_tally.count("least_gradient_of_certificate", is_right, "on" + describe(t));
+      m_tally.count("least_gradient_of_certificate", is_right, "wrong on" + describe(t));
     }
   }
 
@@ -281,12 +281,13 @@ private:
     m_tally.count(kind, verdict);
     if(verdict == Verdict::UNDECIDED) return;
     if(verdict == Verdict::REFUTED) {
-      if(!fails_somewhere(shell, t, margin, holds)) m_tally.wrong(kind, "refuted nowhere:" + describe(t));
+      if(!fails_somewhere(shell, t, margin, holds))
+        m_tally.wrong(kind, "refuted, but no failure was found on" + describe(t));
       return;
     }
     for(const Barycentric<3>& b : worst_points(t, margin))
       if(shell.ask(exact_point(t, b), holds) != Shell::HOLDS) {
-        m_tally.wrong(kind, "proved on" + describe(t));
+        m_tally.wrong(kind, "wrongly proved on" + describe(t));
         return;
       }
   }
@@ -362,7 +363,7 @@ private:
                       "no critical point near" + describe(std::array<std::array<double, 3>, 1>{ w.point }));
     }
     if(w.reason == Witness::TWO_SHEETS) {
-      if(!m_is_pair) m_tally.wrong("claim_one_sheet", "refuted for one surface");
+      if(!m_is_pair) m_tally.wrong("claim_one_sheet", "refuted for a single surface");
     }
   }
 

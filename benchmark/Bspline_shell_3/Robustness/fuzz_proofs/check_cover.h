@@ -120,7 +120,7 @@ private:
       m_tally.count(kind, Verdict::PROVED);
       // One threshold is enough to exclude a box.
       if(!m_shell.exact_field().bernstein(c)) {
-        m_tally.wrong(kind, "nothing is known on " + describe_box(n));
+        m_tally.wrong(kind, "the field is not finite on " + describe_box(n));
         continue;
       }
       // Boxes are closed, and are checked with the polynomials of their own cell.
@@ -168,7 +168,7 @@ private:
       above = above
               - (Dyadic(p[a]) - Dyadic(corner[a]) - Dyadic(width) * Dyadic(box.proof[a])) * j.f.gradient[a]
                   * Dyadic(0.5);
-    if(sign(above) != (below ? -1 : 1)) m_tally.wrong("box_critical", describe_box(n));
+    if(sign(above) != (below ? -1 : 1)) m_tally.wrong("box_critical", "wrong for " + describe_box(n));
   }
 
   // Where the field crosses a threshold, it must cross it upwards: in monotone boxes, and in the shell in other boxes.
@@ -211,7 +211,8 @@ private:
         is_steep_enough = is_steep_enough || sign(dot(j.f.gradient, minus(j.f.gradient, t.gradient))) > 0;
       }
       if(!is_below || !is_above || (box.kind != BS::Box_kind::MONOTONE && !is_in_shell)) continue;
-      m_tally.count("box_crossing", is_steep_enough, "does not rise through a threshold: " + describe_box(n));
+      m_tally.count("box_crossing", is_steep_enough,
+                    "the field does not increase through a threshold on " + describe_box(n));
     }
   }
 
@@ -232,11 +233,11 @@ private:
                    && Dyadic((m_bbox[n].max)(a))
                         == Dyadic(cell.corner()[a]) + Dyadic((box.position[a] + 1) * unit) * Dyadic(cell.width());
       }
-      if(!is_exact) m_tally.wrong("box_tiling", "corner of " + describe_box(n));
+      if(!is_exact) m_tally.wrong("box_tiling", "wrong corner of " + describe_box(n));
     }
     m_tally.count("box_tiling", Verdict::PROVED);
     for(const auto& v : volume)
-      if(v.second != 1) m_tally.wrong("box_tiling", "of cell " + std::to_string(v.first));
+      if(v.second != 1) m_tally.wrong("box_tiling", "the boxes do not fill cell " + std::to_string(v.first));
   }
 
   void check_flood(const std::vector<Point_3>& seeds, const std::vector<std::uint32_t>& components)
@@ -257,7 +258,7 @@ private:
             stack.push_back(n);
           }
         }
-      m_tally.count("flood", known == components[s], "from seed " + std::to_string(s));
+      m_tally.count("flood", known == components[s], "wrong component of seed " + std::to_string(s));
       while(!stack.empty()) {
         const std::size_t b = stack.back();
         stack.pop_back();
@@ -271,11 +272,11 @@ private:
     std::set<std::uint32_t> seen;
     for(const BS::Cover_box& box : boxes) seen.insert(box.cell);
     for(std::size_t n = 0; n < boxes.size(); ++n) {
-      if(boxes[n].component != truth[n]) m_tally.wrong("flood", "component of " + describe_box(n));
+      if(boxes[n].component != truth[n]) m_tally.wrong("flood", "wrong component of " + describe_box(n));
       if(truth[n] == BS::Cover_box::no_component) continue;
       for(std::uint32_t c = 0; c < m_shell.field().number_of_cells(); ++c)
         if(!seen.count(c) && touch(m_shell.field().cell(c).bbox(), m_bbox[n]))
-          m_tally.wrong("flood", "has not looked beyond " + describe_box(n));
+          m_tally.wrong("flood", "a cell was not visited next to " + describe_box(n));
     }
   }
 
@@ -307,9 +308,9 @@ private:
             if(roots.cell(Lattice_point{ root[0] + i, root[1] + j, root[2] + k }) != Root_cells::npos) continue;
             ends = true;
             if(!is_at_end[n] && is_in_shell_towards({ i, j, k }, n))
-              m_tally.wrong("end", "passed over, of " + describe_box(n));
+              m_tally.wrong("end", "the end of the domain was missed at " + describe_box(n));
           }
-      if(is_at_end[n] && !ends) m_tally.wrong("end", describe_box(n));
+      if(is_at_end[n] && !ends) m_tally.wrong("end", "no end of the domain at " + describe_box(n));
     }
   }
 
@@ -362,7 +363,7 @@ private:
           const Dyadic least = Dyadic(bound) * j.scale;
           is_right = dot(j.f.gradient, j.f.gradient) >= least * least;
         }
-        m_tally.count("least_gradient", is_right, "of " + describe_box(n));
+        m_tally.count("least_gradient", is_right, "wrong for " + describe_box(n));
       }
     }
   }

@@ -57,7 +57,7 @@ inline void check_winding(Tally& tally, CGAL::Random& random)
   const Point_3 at = point(p), on_axis = point(p + axis);
   const int truth = exact_turns(random, dyadic(at), minus(dyadic(on_axis), dyadic(at)), link);
   tally.count("winding", int(BS::link_winding_number(at, on_axis, link)) == truth,
-              "around" + describe(Segment{ at, on_axis }));
+              "wrong around" + describe(Segment{ at, on_axis }));
 }
 
 inline void check_normal(Tally& tally, CGAL::Random& random)
@@ -95,7 +95,7 @@ inline void check_normal(Tally& tally, CGAL::Random& random)
     is_right = is_right && sign(u.first) > 0;
     for(const auto& l : lower) is_right = is_right && l.first * u.second <= u.first * l.second;
   }
-  tally.count("facet_normal", is_right, "of" + describe(t));
+  tally.count("facet_normal", is_right, "wrong for" + describe(t));
 }
 
 // Returns a closed surface: a double pyramid over a star or a polygon, with displaced vertices.
@@ -223,7 +223,7 @@ inline void check_crossings(Tally& tally, CGAL::Random& random)
                             ? !touches && std::map<CGAL::SM_Face_index, int>(found->begin(), found->end()) == crossed
                                 && found->size() == crossed.size()
                             : touches;
-    tally.count("crossings", is_right, "of" + describe(Segment{ p, q }));
+    tally.count("crossings", is_right, "wrong for" + describe(Segment{ p, q }));
   }
 }
 
@@ -255,7 +255,7 @@ inline void check_tricubics(Tally& tally, CGAL::Random& random)
   Exact_form f_exact, g_exact, result;
   const BS::Enclosed_tricubic f = random_tricubic(f_exact), g = random_tricubic(g_exact);
   for(int n = 0; n < 64; ++n) result[n] = f_exact[n] - g_exact[n];
-  tally.count("tricubic_difference", is_within(BS::difference(f, g), result, 1), "");
+  tally.count("tricubic_difference", is_within(BS::difference(f, g), result, 1), "wrong enclosure");
 
   std::array<double, 3> direction;
   Dyadic_vector exact_direction;
@@ -274,7 +274,8 @@ inline void check_tricubics(Tally& tally, CGAL::Random& random)
       const Dyadic raised[4] = { Dyadic(3) * s0, s0 + Dyadic(2) * s1, Dyadic(2) * s1 + s2, Dyadic(3) * s2 };
       for(int m = 0; m < 4; ++m) result[n + m * stride] += exact_direction[axis] * raised[m];
     }
-  tally.count("tricubic_derivative", is_within(BS::enclosed_derivative(f, direction, size * radius), result, 1), "");
+  tally.count("tricubic_derivative", is_within(BS::enclosed_derivative(f, direction, size * radius), result, 1),
+              "wrong enclosure");
 
   const int octant = random.get_int(0, 8);
   result = f_exact;
@@ -293,7 +294,7 @@ inline void check_tricubics(Tally& tally, CGAL::Random& random)
                                Dyadic(2) * (b[0] + b[2]) + Dyadic(4) * b[1], b[0] + b[3] + Dyadic(3) * (b[1] + b[2]) };
       for(int m = 0; m < 4; ++m) result[n + m * stride] = half[upper ? 3 - m : m];
     }
-  tally.count("tricubic_octant", is_within(BS::restrict_to_octant(f, octant), result, 512), "");
+  tally.count("tricubic_octant", is_within(BS::restrict_to_octant(f, octant), result, 512), "wrong enclosure");
 
   // A point of a triangle in or near the cell, whose corners have errors of up to a shift.
   const double shift = chance(random, 0.5) ? 0 : power_of_ten(random, -17, -6), reach = chance(random, 0.7) ? 1 : 3;
@@ -325,7 +326,7 @@ inline void check_tricubics(Tally& tally, CGAL::Random& random)
     for(int m = 0; m < 64; ++m) value += f_exact[m] * weight[0][m % 4] * weight[1][m / 4 % 4] * weight[2][m / 16];
     is_enclosed = is_enclosed && Dyadic(range.min) <= value && value <= Dyadic(range.max);
   }
-  tally.count("tricubic_on_triangle", is_enclosed, "");
+  tally.count("tricubic_on_triangle", is_enclosed, "wrong enclosure");
 }
 
 // Copies of polynomials in cells are within their radius. Where cells meet, values and gradients agree.
@@ -340,7 +341,7 @@ void check_cells(Tally& tally, CGAL::Random& random, const Exact_field<Field>& e
     const double radius = cell.error_radius();
     if(!b || !std::isfinite(radius)) {
       tally.count("error_radius", Verdict::UNDECIDED);
-      if(!b && std::isfinite(radius)) tally.wrong("error_radius", "finite where coefficients are not");
+      if(!b && std::isfinite(radius)) tally.wrong("error_radius", "finite although coefficients are not");
       continue;
     }
     bool is_right = true;
@@ -352,7 +353,7 @@ void check_cells(Tally& tally, CGAL::Random& random, const Exact_field<Field>& e
       const Dyadic d = (*b)[n] - Dyadic(216) * Dyadic(cell.coefficients()[n]), r = Dyadic(216) * Dyadic(radius);
       is_right = is_right && d <= r && Dyadic(0) - d <= r;
     }
-    tally.count("error_radius", is_right, "of cell " + std::to_string(c));
+    tally.count("error_radius", is_right, "wrong for cell " + std::to_string(c));
     // a point of a side, in all cells around it
     std::array<double, 3> p;
     const int side = random.get_int(0, 3);
@@ -368,7 +369,7 @@ void check_cells(Tally& tally, CGAL::Random& random, const Exact_field<Field>& e
       agree = agree && here.value * other_scale == there.value * scale;
       for(int a = 0; a < 3; ++a) agree = agree && here.gradient[a] * other_scale == there.gradient[a] * scale;
     }
-    tally.count("continuity", agree, "on a side of cell " + std::to_string(c));
+    tally.count("continuity", agree, "the field is discontinuous on a side of cell " + std::to_string(c));
   }
 }
 

@@ -64,19 +64,19 @@ void check_compare(Tally& tally, CGAL::Random& random, const Random_cells& cells
     bool has_value = std::isfinite(level) && exact.locate(at, c) == Exact_field<Field>::INSIDE;
     for(auto other : exact.cells_at(at))
       has_value = has_value && exact.bernstein(other) && std::isfinite(exact.field().cell(other).error_radius());
-    if(has_value) tally.wrong("compare", "nothing said at" + describe(std::array<Point_3, 1>{ p }));
+    if(has_value) tally.wrong("compare", "no answer at" + describe(std::array<Point_3, 1>{ p }));
     return;
   }
   typename Field::Cell_index c;
   tally.count("compare", *result == CGAL::SMALLER ? Verdict::REFUTED : Verdict::PROVED);
   if(exact.locate(at, c) != Exact_field<Field>::INSIDE) {
-    tally.wrong("compare", "where there is no value");
+    tally.wrong("compare", "answer outside the domain");
     return;
   }
   const int truth = std::isfinite(level) ? sign(exact.jet(c, at).value - Dyadic(level) * exact.scale(c))
                     : level > 0          ? -1
                                          : 1;
-  if(truth != int(*result)) tally.wrong("compare", "at" + describe(std::array<Point_3, 1>{ p }));
+  if(truth != int(*result)) tally.wrong("compare", "wrong at" + describe(std::array<Point_3, 1>{ p }));
 }
 
 // Checks the field on one triangle or segment, with levels close to its extrema.
@@ -143,7 +143,7 @@ void check_slope(Tally& tally, CGAL::Random& random, const Shell& shell,
   double bound = slope({ triangle[0][0], triangle[0][1], triangle[0][2] }) / n.norm() * random.get_double(0, 2);
   verdict = predicates.crosses_upwards(triangle, &witness, nullptr, &bound);
   if(verdict != Verdict::PROVED && bound != 0)
-    tally.wrong("slope_bound", "of what is not proved, on" + describe(triangle));
+    tally.wrong("slope_bound", "bound without a proof on" + describe(triangle));
   check_verdict(
     tally, "slope_bound", verdict, witness, shell, triangle, slope,
     [&](const typename Shell::Jets& j) { return exact(j.f, j.scale, bound); }, Shell::FIELD);
@@ -185,7 +185,7 @@ void check_is_beyond(Tally& tally, const Shell& shell, const BS::Field_predicate
             dyadic(p), [&](const typename Shell::Jets& j) { return sign(j.f.value - j.inner.value) == int(side); },
             Shell::INNER)
             != Shell::HOLDS)
-      tally.wrong("is_beyond", "at" + describe(std::array<Point_3, 1>{ p }));
+      tally.wrong("is_beyond", "wrong at" + describe(std::array<Point_3, 1>{ p }));
   }
 }
 
@@ -232,12 +232,12 @@ void check_oracle(Tally& tally, CGAL::Random& random, const Shell& shell, const 
     const auto accepted = [&](const typename Shell::Jets& j) { return is_between<Shell>(j) && exact(j.f, j.scale, 0); };
     for(const Barycentric<3>& b : worst_points(facet, margin))
       if(shell.ask(exact_point(facet, b), accepted) != Shell::HOLDS) {
-        tally.wrong(kind, "accepted" + describe(facet));
+        tally.wrong(kind, "wrongly accepted" + describe(facet));
         return;
       }
     for(const Barycentric<3>& b : worst_points(facet, slope))
       if(shell.ask(exact_point(facet, b), accepted) != Shell::HOLDS) {
-        tally.wrong(kind, "accepted" + describe(facet));
+        tally.wrong(kind, "wrongly accepted" + describe(facet));
         return;
       }
   };
@@ -271,7 +271,7 @@ void check_oracle(Tally& tally, CGAL::Random& random, const Shell& shell, const 
   if(shell.ask(dyadic(p),
                [&](const typename Shell::Jets& j) { return exact_turns(random, dyadic(p), j.f.gradient, link) == 1; })
      != Shell::HOLDS)
-    tally.wrong("oracle_fan", "winds " + describe(Triangle{ p, link[0], link[1] }));
+    tally.wrong("oracle_fan", "the accepted fan does not wind once around" + describe(Triangle{ p, link[0], link[1] }));
 }
 
 #endif // CHECK_PREDICATES_H

@@ -139,7 +139,7 @@ private:
         is_right = is_right && shell.ask(exact_point(t, b), is_in) == Shell::HOLDS;
       for(const Barycentric<3>& b : worst_points(t, rise, 3, 1))
         is_right = is_right && shell.ask(exact_point(t, b), rises) == Shell::HOLDS;
-      m_tally.count(kind + "_facet", is_right, "on" + describe(t));
+      m_tally.count(kind + "_facet", is_right, "wrong on" + describe(t));
     }
   }
 
@@ -167,7 +167,7 @@ private:
     of_lazy.verify<CGAL::Sequential_tag>(lazy(m_mesh));
     const bool is_same = of_lazy.is_certified() && of_lazy.least_angle() == certificate.least_angle()
                          && of_lazy.examined_mesh().number_of_faces() == certificate.examined_mesh().number_of_faces();
-    m_tally.count("lazy_certificate", is_same, "differs");
+    m_tally.count("lazy_certificate", is_same, "the results differ");
   }
 
   // Moves one vertex. If the mesh is still certified, the claims must hold, and the vertex must not be on a border.
@@ -185,7 +185,7 @@ private:
       certificate.verify<CGAL::Sequential_tag>(moved);
       m_tally.count("shell_moved", certificate.is_certified() ? Verdict::PROVED : Verdict::UNDECIDED);
       if(!certificate.is_certified()) continue;
-      if(moved.is_border(v)) m_tally.wrong("shell_moved", "another border is closed");
+      if(moved.is_border(v)) m_tally.wrong("shell_moved", "a mesh with another border is certified");
       check_examined(exact, certificate, "shell_moved");
     }
   }
@@ -199,7 +199,7 @@ private:
     const BS::Shell_map_3<Certified_shell, Mesh> map(shell, m_mesh, coarse);
     const BS::Shell_map_3<Certified_shell, Lazy_mesh> lazy_map(shell, lazy_source, lazy_target);
     const auto inverse = map.inverse();
-    m_tally.count("lazy_map", map.status() == lazy_map.status(), "has another status");
+    m_tally.count("lazy_map", map.status() == lazy_map.status(), "the statuses differ");
     for(int n = 0; n < 60; ++n) {
       std::array<double, 3> b = { m_random.get_double(0, 1), m_random.get_double(0, 1), m_random.get_double(0, 1) };
       if(chance(m_random, 0.3)) b[std::size_t(m_random.get_int(0, 3))] *= 100; // near a vertex
@@ -210,14 +210,15 @@ private:
       const auto of_lazy = lazy_map({ f, b });
       const bool is_same = image.status == of_lazy.status && image.location == of_lazy.location
                            && image.point == of_lazy.point;
-      m_tally.count("lazy_image", is_same, "differs");
+      m_tally.count("lazy_image", is_same, "the results differ");
       const auto back = image ? inverse(image.location) : image;
       m_tally.count("image", back ? Verdict::PROVED : Verdict::UNDECIDED);
       if(!back) continue;
       double off = 0;
       const auto point = map.point({ f, b });
       for(std::size_t a = 0; a < 3; ++a) off = (std::max)(off, std::abs(point[a] - back.point[a]));
-      if(!(off < 1e-6 * m_unit)) m_tally.wrong("image", "comes back " + std::to_string(off / m_unit) + " away");
+      if(!(off < 1e-6 * m_unit))
+        m_tally.wrong("image", "the error after the round trip is " + std::to_string(off / m_unit));
     }
   }
 

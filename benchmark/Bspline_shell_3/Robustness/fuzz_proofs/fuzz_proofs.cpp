@@ -161,7 +161,7 @@ int main(int argc, char** argv)
   for(int n = 1; n < argc; n += 2) {
     const std::string option = argv[n];
     if(n + 1 == argc || (option != "--seconds" && option != "--seed" && option != "--threads" && option != "--case")) {
-      std::cerr << "fuzz_proofs --seconds S --seed N [--threads T] [--case C]\n";
+      std::cerr << "Usage: fuzz_proofs [--seconds S] [--seed N] [--threads T] [--case C]\n";
       return 2;
     }
     if(option == "--seconds") seconds = std::atof(argv[n + 1]);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Processes a small data set by a Slurm cluster of one node, which is set up in a temporary folder and removed
-# afterwards:
+# Processes a small data set on a Slurm cluster of one node, which is set up in a temporary folder and removed
+# afterward:
 #   sudo bash run_test.sh PROGRAM MESH...       (PROGRAM: simplify_and_transfer)
 # Requires root, and the Debian packages slurmctld, slurmd, slurm-client, munge and snakemake. If a requirement is
 # missing, or Slurm is already running, the exit code is 77.
@@ -14,8 +14,8 @@ PATH=$PATH:/usr/sbin
 for command in slurmctld slurmd sbatch munged snakemake; do
   command -v "$command" >/dev/null || skip "$command is not installed."
 done
-[ "$(id -u)" -eq 0 ] || skip "Slurm's daemons are started by root."
-! pgrep -x 'slurmctld|slurmd' >/dev/null || skip "Slurm is running here already."
+[ "$(id -u)" -eq 0 ] || skip "starting Slurm's daemons requires root permissions."
+! pgrep -x 'slurmctld|slurmd' >/dev/null || skip "Slurm is already running on this machine."
 
 work=$(mktemp -d)
 chmod 755 "$work"
@@ -26,7 +26,7 @@ stop() {
 }
 trap stop EXIT
 
-# Daemons authenticate each other by a separate munge daemon.
+# The daemons authenticate each other through a separate munge daemon.
 mkdir -m 755 "$work"/munge
 dd if=/dev/urandom of="$work/munge/key" bs=128 count=1 status=none
 chmod 400 "$work/munge/key"
@@ -34,7 +34,7 @@ munged --foreground --force --key-file="$work/munge/key" --socket="$work/munge/s
        --log-file="$work/munge/log" >/dev/null 2>&1 &
 daemons+=($!)
 
-# free ports, not those of other users' daemons
+# free ports, so that daemons of other users are not disturbed
 port() { python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])'; }
 host=$(hostname -s)
 mkdir "$work/state" "$work/spool"
@@ -84,7 +84,7 @@ snakemake --snakefile "$here/../Snakefile" --profile "$here" --directory "$work/
           --config meshes="$work/list" program="$program" batch=2 memory_limit=1500 time_limit=120 pictures="${PICTURES-false}" ||
   { tail -n 20 "$work"/*.log "$work"/results/.snakemake/slurm/*; exit 1; }
 jobs=$(find "$work/results/.snakemake/slurm" -name '*.log' | wc -l)
-[ "$jobs" -eq $((($# + 1) / 2)) ] || { echo "$jobs jobs of Slurm for $# meshes, two at a time." >&2; exit 1; }
+[ "$jobs" -eq $((($# + 1) / 2)) ] || { echo "Slurm ran $jobs jobs for $# meshes in batches of two." >&2; exit 1; }
 [ "$(wc -l <"$work/results/table.csv")" -eq $(($# + 1)) ] || { cat "$work/results/table.csv"; exit 1; }
-echo "$# meshes, $jobs jobs of Slurm, $((SECONDS - start)) s:"
+echo "$# meshes, $jobs Slurm jobs, $((SECONDS - start)) s:"
 cut -d, -f1-6 "$work/results/table.csv"

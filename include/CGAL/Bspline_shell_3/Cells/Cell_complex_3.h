@@ -25,22 +25,23 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Cells
  *
- * \brief The lattice of cell corners: all points `origin + spacing * (i, j, k)` with integers `i`, `j`, `k`.
+ * \brief the lattice of cell corners: all points `origin + spacing * (i, j, k)` with integers `i`, `j`, and `k`.
  *
  * The spacing is rounded to at most 20 significant bits, and the origin to a multiple of half the spacing's last bit.
- * So the corners of all cells, also of cells halved up to `finest_level` times, are `double`s: a proof on a cell's box
- * holds for the cell. The lattice is symmetric about the box's center. If a mesh is mirrored, turned by a right angle
- * or scaled by a power of two, so is its lattice.
+ * Hence the corners of all cells, and of cells split up to `finest_level` times, are `double`s, and a proof on a cell's
+ * box holds for the cell. The lattice is symmetric about the box's center. If a mesh is reflected, rotated by a right
+ * angle, or scaled by a power of two, so is its lattice.
  */
 class Lattice_3
 {
 public:
   typedef Lattice_point Point;            ///< three `int`
-  static constexpr int finest_level = 12; ///< how often cells can be halved, at least
+  static constexpr int finest_level = 12; ///< number of times that cells can be split, at least
 
   Lattice_3() = default;
 
-  /// Constructs a lattice with a point near the center of `box`, and with a spacing near `spacing` (user units).
+  /// constructs a lattice with a point near the center of `box` and a spacing near `spacing`, in the units of the
+  /// coordinates
   /// \pre `box` is finite, `spacing > 0`
   Lattice_3(const Bbox_3& box, double spacing)
   {
@@ -56,31 +57,31 @@ public:
     const double last_bit = std::ldexp(1., exponent - bits);
     m_spacing = std::nearbyint(std::ldexp(mantissa, bits)) * last_bit;
     for(int a = 0; a < 3; ++a) {
-      const double center = (box.min)(a) / 2 + (box.max)(a) / 2; // rounds alike if mirrored
+      const double center = (box.min)(a) / 2 + (box.max)(a) / 2; // symmetric rounding
       m_origin[a] = std::nearbyint(center / last_bit) * last_bit;
     }
   }
 
-  /// Returns the lattice of the constructor, shifted so that the ends of the box are not close to lattice planes. The
-  /// shift is half a spacing, along each axis where an end would lie in a lattice plane or near it. Otherwise, rounding
-  /// would put sides of a mesh on either side of such a plane, and the cells of a scaled mesh would not be the scaled
-  /// cells.
+  /// returns the lattice of the constructor, shifted by half a spacing along each axis where a side of the box would
+  /// lie in a lattice plane or near it. Otherwise, rounding would put a side of a mesh on either side of such a plane,
+  /// and the cells of a scaled mesh would not be the scaled cells.
   static Lattice_3 off_the_ends(const Bbox_3& box, double spacing)
   {
     Lattice_3 lattice(box, spacing);
     if(!lattice.m_exact) return lattice;
     for(int a = 0; a < 3; ++a) {
       const double end = ((box.max)(a) / 2 - (box.min)(a) / 2) / lattice.m_spacing;
-      // The bound is not 1/4: boxes with simple ratios of sides have this fraction, and rounding would decide.
+      // The bound is not 1/4, because boxes with simple ratios of sides have this fraction, so that rounding would
+      // decide.
       if(std::abs(end - std::nearbyint(end)) < 0.2) lattice.m_origin[a] -= lattice.m_spacing / 2;
     }
     return lattice;
   }
 
-  /// Returns the lattice with exactly this origin and spacing, for example from a file. `is_exact()` refers to the
-  /// corners of the cells with lattice points from `first` to `last`, also if they are halved up to `finest_level`
+  /// returns the lattice with exactly this origin and spacing, for example from a file. `is_exact()` refers to the
+  /// corners of the cells with lattice points from `first` to `last`, and of these cells split up to `finest_level`
   /// times.
-  /// \pre coordinates of `first` and `last` are at most `Lattice_key::max_coordinate` in size
+  /// \pre the absolute coordinates of `first` and `last` are at most `Lattice_key::max_coordinate`
   static Lattice_3 from_origin(const std::array<double, 3>& origin, double spacing, const Point& first,
                                const Point& last)
   {
@@ -106,8 +107,8 @@ public:
     return lattice;
   }
 
-  /// Returns how often cells with lattice points from `first` to `last` can be halved with exact corners. If
-  /// coordinates are not large, this is more than `finest_level`.
+  /// returns how often cells with lattice points from `first` to `last` can be split with exact corners. If coordinates
+  /// are not large, this is more than `finest_level`.
   int number_of_halvings(const Point& first, const Point& last) const
   {
     if(!m_exact) return 0;
@@ -123,12 +124,12 @@ public:
                       unit - std::numeric_limits<double>::min_exponent + digits);
   }
 
-  /// Returns `true` if the corners are exact. Otherwise, the cells are too small for the size of their coordinates.
+  /// returns whether the corners are exact; otherwise, the cells are too small for their coordinates
   bool is_exact() const { return m_exact; }
-  double spacing() const { return m_spacing; } ///< edge length of a cell, user units
+  double spacing() const { return m_spacing; } ///< edge length of a cell
   const std::array<double, 3>& origin() const { return m_origin; }
 
-  /// Returns the exact coordinate of lattice plane `i` across axis `a`.
+  /// returns the exact coordinate of lattice plane `i` across axis `a`
   double coordinate(int a, int i) const { return m_origin[a] + i * m_spacing; }
 
   std::array<double, 3> corner(const Point& p) const
@@ -136,7 +137,7 @@ public:
     return { coordinate(0, p[0]), coordinate(1, p[1]), coordinate(2, p[2]) };
   }
 
-  /// Returns the number `i` with `coordinate(a, i) <= x < coordinate(a, i+1)`, exactly.
+  /// returns the index `i` with `coordinate(a, i) <= x < coordinate(a, i+1)`, exactly.
   /// \pre `x` is at most `Lattice_key::max_coordinate` spacings from the origin
   int interval(int a, double x) const
   {
@@ -169,21 +170,21 @@ private:
 /*!
  * \ingroup PkgBsplineShell3Cells
  *
- * \brief A finite set of cells of a lattice, numbered from 0: the domain \f$D\f$ of a field.
+ * \brief a finite set of cells of a lattice, numbered from 0: the domain \f$D\f$ of a field.
  *
- * Cells are closed cubes; cell \f$(i,j,k)\f$ has the lattice point \f$(i,j,k)\f$ as its least corner. Neighboring
- * cells along x have consecutive numbers. Memory is linear in the number of cells.
+ * Cells are closed cubes; cell \f$(i,j,k)\f$ has the lattice point \f$(i,j,k)\f$ as its smallest corner. Neighboring
+ * cells along x have consecutive indices. Memory is linear in the number of cells.
  */
 class Cell_complex_3
 {
   typedef Lattice_set_3 Lattice_set;
 public:
-  typedef Lattice_set::Index Index;                ///< number of a cell
+  typedef Lattice_set::Index Index;                ///< index of a cell
   static constexpr Index npos = Lattice_set::npos; ///< no cell
 
   Cell_complex_3() = default;
 
-  /// Constructs the cells of `lattice` with the given lattice points; `keys` are sorted and unique.
+  /// constructs the cells of `lattice` with the given lattice points; `keys` are sorted and unique
   Cell_complex_3(const Lattice_3& lattice, const std::vector<std::uint64_t>& keys) : m_lattice(lattice), m_cells(keys)
   {
     for(Index c = 0; c < m_cells.size(); ++c)
@@ -195,13 +196,13 @@ public:
   }
 
   const Lattice_3& lattice() const { return m_lattice; }
-  /// Returns `true` if the corners of all cells are exact.
+  /// returns whether the corners of all cells are exact
   bool is_exact() const
   {
     return number_of_cells() == 0
            || Lattice_3::from_origin(m_lattice.origin(), m_lattice.spacing(), m_first, m_last).is_exact();
   }
-  /// Returns how often the cells can be halved with all corners exact.
+  /// returns how often the cells can be split with all corners exact
   int number_of_halvings() const { return number_of_cells() == 0 ? 0 : m_lattice.number_of_halvings(m_first, m_last); }
   std::size_t number_of_cells() const { return m_cells.size(); }
   double width() const { return m_lattice.spacing(); }
@@ -219,8 +220,8 @@ public:
   std::array<double, 3> corner(Index cell) const { return m_lattice.corner(m_cells.point(cell)); }
   Index cell(const Lattice_3::Point& p) const { return m_cells.index(p); }
 
-  /// Returns the cell across the face of `cell` with normal along `axis`, on the side of larger (`positive`) or smaller
-  /// coordinates; `npos` where the domain ends.
+  /// returns the cell across the face of `cell` with normal along `axis`, on the side of larger (`positive`) or smaller
+  /// coordinates; `npos` at the boundary of the domain
   Index neighbor(Index cell, int axis, bool positive) const
   {
     Lattice_3::Point p = m_cells.point(cell);
@@ -228,8 +229,8 @@ public:
     return m_cells.index(p);
   }
 
-  /// Returns a cell that contains the point, or `npos` if there is none. If the point is on a common face, this is the
-  /// cell of larger coordinates, if it exists.
+  /// returns a cell that contains the point, or `npos` if there is none. For a point on a common face, this is the cell
+  /// of larger coordinates if it exists.
   template <typename Point>
   Index locate(const Point& p) const
   {
@@ -244,9 +245,9 @@ public:
     return closed_cell(l, on_plane);
   }
 
-  /// Calls `visit(cell)` once for every cell that meets the closed box; returns whether the closed cells cover the box.
-  /// Any box is allowed. An infinite box meets all cells; a box that is empty or has a NaN coordinate meets none.
-  /// Neither is covered.
+  /// calls `visit(cell)` once for every cell that meets the closed box; returns whether the closed cells cover the box.
+  /// Every box is allowed: an infinite box meets all cells, and a box that is empty or has a NaN coordinate meets none;
+  /// such boxes are not covered.
   template <typename Visitor>
   bool visit_cells(const Bbox_3& box, const Visitor& visit) const
   {
@@ -268,7 +269,7 @@ public:
     }
     // A missing cell leaves a gap only if the box reaches into it, not if the box touches its boundary.
     const auto reaches_into = [&](int a, int i) {
-      if(flat_on_plane[a]) return i == last[a]; // the cell below suffices, too: see closed_cell()
+      if(flat_on_plane[a]) return i == last[a]; // the cell below suffices as well: see closed_cell()
       return lower[a] < m_lattice.coordinate(a, i + 1) && upper[a] > m_lattice.coordinate(a, i);
     };
     for(int k = first[2]; k <= last[2]; ++k)
@@ -306,7 +307,7 @@ private:
 
   Lattice_3 m_lattice;
   Lattice_set m_cells;
-  Lattice_3::Point m_first = {}, m_last = {}; // least and largest coordinates of the cells
+  Lattice_3::Point m_first = {}, m_last = {}; // smallest and largest coordinates of the cells
 };
 
 } // namespace Bspline_shells

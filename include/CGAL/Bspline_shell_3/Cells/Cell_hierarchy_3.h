@@ -27,11 +27,11 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Cells
  *
- * \brief A forest of octrees whose roots are the cells of a `Cell_complex_3`, graded for splines.
+ * \brief a forest of octrees whose roots are the cells of a `Cell_complex_3`, graded for splines.
  *
  * A cell of level \f$l\f$ has the width of a root cell divided by \f$2^l\f$. It is a *leaf*, or it is split into eight
- * cells of the next level. The leaves are numbered from 0, coarse ones first. Around a split cell, there are three
- * rings of cells of the same level within the domain; these are leaves or split themselves. So a spline function of
+ * cells of the next level. The leaves are numbered from 0, coarse leaves first. Around a split cell, there are three
+ * layers of cells of the same level within the domain, which are leaves or split themselves. Hence a spline function of
  * level \f$l\f$ that acts on a split cell acts on no cell coarser than \f$l\f$.
  *
  * Corners of all cells are exact `double`s. Memory is linear in the number of cells.
@@ -40,26 +40,26 @@ class Cell_hierarchy_3
 {
   typedef std::vector<std::uint64_t> Keys; // lattice keys, sorted, unique
 public:
-  typedef Cell_complex_3::Index Index;                ///< number of a leaf
+  typedef Cell_complex_3::Index Index;                ///< index of a leaf
   static constexpr Index npos = Cell_complex_3::npos; ///< no leaf
   Cell_hierarchy_3() : Cell_hierarchy_3(Cell_complex_3()) {}
 
-  /// Constructs a hierarchy of root cells only.
+  /// constructs a hierarchy of root cells only
   explicit Cell_hierarchy_3(Cell_complex_3 roots) : m_roots(std::move(roots))
   {
     int largest = 0;
     for(Index c = 0; c < m_roots.number_of_cells(); ++c)
       for(int i : m_roots.lattice_point(c)) largest = (std::max)(largest, std::abs(i) + 1);
-    // Lattice points of finer levels need keys, also in rings around the domain.
+    // Lattice points of finer levels need keys, also in layers around the domain.
     const int finest = (std::min)(int(most_levels), m_roots.number_of_halvings() - subdivisions_of_a_leaf);
     while(m_max_level < finest && largest < Lattice_key::max_coordinate >> (m_max_level + 1)) ++m_max_level;
     number_cells();
   }
 
-  /// Returns the hierarchy with the given leaves split, and with `rings` rings of cells around each of them split, too.
-  /// Without rings, the split region would be narrower than a function of the next level. With two rings, only
-  /// functions of the next level act on the leaf. More cells are split if the grading requires it. Leaves of level
-  /// `max_level()` are not split.
+  /// returns the hierarchy with the given leaves and `rings` layers of cells around each of them split. Without such
+  /// layers, the split region would be narrower than a function of the next level. With two layers, only functions of
+  /// the next level act on the leaf. More cells are split if the grading requires it. Leaves of level `max_level()` are
+  /// not split.
   Cell_hierarchy_3 refined(const std::vector<Index>& leaves, int rings = 2) const
   {
     Cell_hierarchy_3 finer;
@@ -80,7 +80,7 @@ public:
     return finer;
   }
 
-  /// Returns the hierarchy with the given leaves, which are sorted and unique keys of lattice points for each level.
+  /// returns the hierarchy with the given leaves, which are sorted and unique keys of lattice points for each level.
   /// Returns nothing if leaves overlap or do not fill a split cell, if they are too small, or if they violate the
   /// grading.
   static std::optional<Cell_hierarchy_3> from_leaves(const Lattice_3& lattice,
@@ -122,36 +122,36 @@ public:
   int max_level() const { return m_max_level; }                   ///< cells of this level are not split
   std::size_t number_of_cells() const { return m_leaves.size(); } ///< number of leaves
   int level(Index c) const { return m_leaves[c].level; }
-  /// Returns the leaf's least corner, on the lattice of its level.
+  /// returns the leaf's smallest corner, on the lattice of its level
   const Lattice_3::Point& lattice_point(Index c) const { return m_leaves[c].point; }
   double width(Index c) const { return level_width(level(c)); }
   double level_width(int level) const { return m_level_width[std::size_t(level)]; }
-  /// Returns the exact coordinate of plane `i` across an axis between cells of a level.
+  /// returns the exact coordinate of plane `i` across an axis between cells of a level
   double coordinate(int level, int axis, int i) const
   {
     return m_roots.lattice().origin()[axis] + i * level_width(level);
   }
   std::array<double, 3> corner(Index c) const { return corner(level(c), lattice_point(c)); }
-  /// Returns the first leaf of a level; leaves of a level are numbered consecutively.
+  /// returns the first leaf of a level; leaves of a level are numbered consecutively
   Index first_leaf(int level) const { return m_levels[std::size_t(level)].first_leaf; }
 
-  /// Returns all cells of a level, leaves and split ones.
+  /// returns all cells of a level, leaves and split cells
   const Lattice_set_3& cells(int level) const { return m_levels[std::size_t(level)].cells; }
-  /// Returns the leaf that is the given cell of a level; `npos` if the cell is split or does not exist.
+  /// returns the leaf that is the given cell of a level; `npos` if the cell is split or does not exist
   Index leaf(int level, const Lattice_3::Point& p) const
   {
     const Level& l = m_levels[std::size_t(level)];
     const Index n = l.cells.index(p);
     return n == npos ? npos : l.nodes[n].leaf;
   }
-  /// Returns `true` if the cell of a level with that lattice point exists and is split.
+  /// returns whether the cell of a level with this lattice point exists and is split
   bool is_split(int level, const Lattice_3::Point& p) const
   {
     const Level& l = m_levels[std::size_t(level)];
     const Index n = l.cells.index(p);
     return n != npos && l.nodes[n].leaf == npos;
   }
-  /// Returns the leaf that is or contains the cell of a level with that lattice point; `npos` if there is none.
+  /// returns the leaf that is or contains the cell of a level with this lattice point; `npos` if there is none
   Index leaf_around(int level, Lattice_3::Point p) const
   {
     for(int l = level; l >= 0; --l) {
@@ -161,15 +161,14 @@ public:
     }
     return npos;
   }
-  /// Returns `true` if the cell of a level with that lattice point is part of the domain, whatever the size of its
-  /// leaves.
+  /// returns whether the cell of a level with this lattice point is part of the domain, whatever the size of its leaves
   bool is_in_domain(int level, Lattice_3::Point p) const
   {
     for(int& i : p) i = floor_shift(i, level);
     return m_roots.cell(p) != npos;
   }
 
-  /// Returns a leaf that contains the point; `npos` if there is none.
+  /// returns a leaf that contains the point; `npos` if there is none
   template <typename Point>
   Index locate(const Point& p) const
   {
@@ -186,7 +185,7 @@ public:
     }
   }
 
-  /// Calls `visit(c)` once for every leaf that meets the closed box; returns whether the closed leaves cover the box.
+  /// calls `visit(c)` once for every leaf that meets the closed box; returns whether the closed leaves cover the box
   template <typename Visitor>
   bool visit_cells(const Bbox_3& box, const Visitor& visit) const
   {
@@ -194,7 +193,7 @@ public:
                                [&](Index root) { visit_leaves(0, root, m_roots.lattice_point(root), box, visit); });
   }
 
-  /// Calls `visit(n)` for every leaf that shares a part of the given face of `c`; returns whether there is any.
+  /// calls `visit(n)` for every leaf that shares a part of the given face of `c`; returns whether there is any
   template <typename Visitor>
   bool visit_neighbors(Index c, int axis, bool positive, const Visitor& visit) const
   {
@@ -225,13 +224,13 @@ private:
   struct Level
   {
     Lattice_set_3 cells;
-    std::vector<Node> nodes; // by number of the cell
-    // For each split cell, the first children in its four rows along x; numbers in the next level.
+    std::vector<Node> nodes; // by index of the cell
+    // For each split cell, the first children in its four rows along x, as indices in the next level.
     std::vector<std::array<Index, 4> > rows;
     Index first_leaf = 0;
   };
 
-  // Returns a child of a split cell, by the bits of its octant: its number in the next level, or its lattice point.
+  // Returns a child of a split cell, by the bits of its octant: its index in the next level, or its lattice point.
   Index child(int level, const Node& node, int octant) const
   {
     return m_levels[std::size_t(level)].rows[node.rows][std::size_t(octant >> 1)] + Index(octant & 1);
@@ -351,7 +350,7 @@ private:
   }
 
   static constexpr int most_levels = 10;
-  static constexpr int subdivisions_of_a_leaf = 8; // halvings of a leaf that keep corners exact
+  static constexpr int subdivisions_of_a_leaf = 8; // number of times that a leaf can be split with exact corners
 
   Cell_complex_3 m_roots;
   int m_max_level = 0;

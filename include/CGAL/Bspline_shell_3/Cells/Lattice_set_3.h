@@ -24,18 +24,18 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Cells
-/// An integer point \f$(i, j, k)\f$, with \f$i\f$ along \f$x\f$.
+/// an integer point \f$(i, j, k)\f$, with \f$i\f$ along \f$x\f$
 typedef std::array<int, 3> Lattice_point;
 
 /// \ingroup PkgBsplineShell3Cells
-/// The lattice points from `first` to `last`, both included; none if a coordinate of `first` is larger.
+/// the lattice points from `first` to `last`, both included; none if a coordinate of `first` is larger
 struct Lattice_box
 {
   Lattice_point first, last;
 };
 
 /// \ingroup PkgBsplineShell3Cells
-/// A lattice point as a 64-bit key with 21 bits for each axis. Keys are sorted by \f$(k, j, i)\f$.
+/// a lattice point as a 64-bit key with 21 bits for each axis. Keys are sorted by \f$(k, j, i)\f$.
 class Lattice_key
 {
 public:
@@ -61,9 +61,9 @@ public:
 /*!
  * \ingroup PkgBsplineShell3Cells
  *
- * \brief A sparse set of integer points, numbered 0, 1, ... in the order of \f$(k, j, i)\f$.
+ * \brief a sparse set of integer points, numbered from 0 in the order of \f$(k, j, i)\f$.
  *
- * The points of a row along \f$x\f$ have consecutive numbers, so that neighbors on the lattice are neighbors in memory.
+ * The points of a row along \f$x\f$ have consecutive indices, so that neighbors on the lattice are neighbors in memory.
  *
  * \cgalHeading{Cost} Memory is linear in the number of points. A look-up searches the runs of consecutive rows in a
  *   slice, and the runs of consecutive points in a row: usually one to four runs.
@@ -119,7 +119,7 @@ public:
   }
   Index index(const Lattice_point& p) const { return index(p[0], p[1], p[2]); }
 
-  /// Returns the numbers `[first, second)` of the points \f$(i, j, k)\f$ with `i_begin` \f$\le i <\f$ `i_end`.
+  /// returns the indices `[first, second)` of the points \f$(i, j, k)\f$ with `i_begin` \f$\le i <\f$ `i_end`
   std::pair<Index, Index> index_range(int i_begin, int i_end, int j, int k) const
   {
     std::pair<Index, Index> range(npos, npos);
@@ -135,7 +135,7 @@ public:
     return range;
   }
 
-  /// Returns the lattice points in a box that is grown by `margin` spacings, clipped to the extent of the set. The
+  /// returns the lattice points in a box that is enlarged by `margin` spacings, clipped to the extent of the set. The
   /// lattice has the given origin and spacing.
   Lattice_box clip(const Bbox_3& box, const std::array<double, 3>& origin, double spacing, int margin) const
   {
@@ -154,7 +154,7 @@ private:
   {
     int begin, end;
     Index first;
-  }; // consecutive coordinates, and the number of the first
+  }; // consecutive coordinates, and the index of the first
 
   static Index find(const std::vector<Run>& runs, Index begin, Index end, int coordinate)
   {
@@ -181,7 +181,7 @@ private:
 };
 
 /// \ingroup PkgBsplineShell3Cells
-/// Returns the sum of a set and the cube `[first, last]`\f$^3\f$.
+/// returns the sum of a set and the cube `[first, last]`\f$^3\f$.
 /// \param keys sorted and unique, like the returned keys
 inline std::vector<std::uint64_t> dilate(std::vector<std::uint64_t> keys, int first, int last)
 {

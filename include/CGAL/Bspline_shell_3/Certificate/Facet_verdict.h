@@ -12,13 +12,13 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Certificate
-/// \brief The result of a certificate for a facet.
+/// \brief the result of a certificate for a facet.
 struct Facet_verdict
 {
   Verdict containment = Verdict::UNDECIDED;
   Verdict transversality = Verdict::UNDECIDED;
-  /// lower bound of \f$n \cdot \nabla f\f$, unit normal, user units; 0 if transversality is not proved. The bound is
-  /// close only if the slope is near the least slope of all facets.
+  /// a lower bound of \f$n \cdot \nabla f\f$ with the unit normal \f$n\f$; 0 if transversality is not proved. The bound
+  /// is close only if the slope is near the smallest slope of all facets.
   double slope = 0;
 };
 

@@ -13,14 +13,14 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Certificate
-/// The verdict on a facet, or on a placement of the vertex of a collapsed edge.
+/// the verdict on a facet, or on a placement of the vertex of a collapsed edge
 enum class Placement_verdict
 {
   ACCEPTED,
   BASE_FILTER,  ///< rejected by another filter
   LEAVES_SHELL, ///< a facet is not proved to lie in the shell
   FACES_AWAY,   ///< a facet is not proved to face along the gradient
-  WINDS_TWICE   ///< all facets at the vertex face along the gradient, but their fan does not wind around it once
+  WINDS_TWICE   ///< all facets at the vertex face along the gradient, but do not wind around the vertex once
 };
 
 /// \ingroup PkgBsplineShell3Certificate
@@ -39,7 +39,7 @@ inline const char* name(Placement_verdict verdict)
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief The number of judged placements, by verdict.
+ * \brief the number of judged placements, by verdict.
  */
 struct Placement_statistics
 {

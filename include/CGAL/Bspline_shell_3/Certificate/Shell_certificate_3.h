@@ -49,18 +49,19 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief Decides, rigorously, whether the integral curves of a field map a mesh one-to-one onto all other certified
- * meshes in the same shell.
+ * \brief proves that the integral curves of a field map a mesh one-to-one onto every other certified mesh in the same
+ * shell, or reports where the proof fails.
  *
- * If all five claims are proved, then every integral curve of the field in the shell meets the mesh in exactly one
- * point. The mesh does not intersect itself. It is isotopic in the shell to every level set between the largest value
- * of the inner threshold and the least value of the outer one. Two such meshes in the same components of the shell are
- * mapped onto each other by a homeomorphism. Nothing is sampled: values and slopes are enclosed on whole facets and
- * boxes, and counts are exact.
+ * If all five claims (`Claim`) are proved, every integral curve in the components of the shell that contain the mesh
+ * meets the mesh in exactly one point, and the mesh does not intersect itself. Let \f$c\f$ be a value between the
+ * largest inner and the smallest outer threshold in these components. The mesh is isotopic in the shell to the level
+ * set \f$\{f = c\}\f$. Two such meshes in the same components of the shell are mapped onto each other by a
+ * homeomorphism. No proof relies on samples: values and slopes are enclosed on whole facets and boxes, and crossings
+ * are counted exactly.
  *
- * The components of a certified shell are those of the mesh for which it was built. A certificate of such a shell
- * requires that a mesh has exactly one component in each of them, and no other component. So all meshes with a
- * certificate of the same certified shell are mapped onto each other. For certificates between other thresholds, see
+ * The components of a certified shell are those of the mesh for which it was built. A mesh is certified in such a shell
+ * only if it has exactly one component in each of them, and no other component. Hence all meshes that are certified in
+ * the same certified shell are mapped onto each other. To compare certificates without a certified shell, see
  * `matches()`.
  *
  * \tparam Field_ a model of `BsplineField_3`
@@ -77,18 +78,18 @@ public:
 
   typedef Bspline_shells::Facet_verdict Facet_verdict;
 
-  /// \pre `field` outlives this object; it may change between verifications
+  /// \pre `field` outlives this object; its coefficients may change between calls of `verify()`
   Shell_certificate_3(const Field& field, const Threshold& inner, const Threshold& outer)
     : m_field(&field), m_inner(inner), m_outer(outer)
   {}
-  Shell_certificate_3(const Field&&, const Threshold&, const Threshold&) = delete; // it would dangle
+  Shell_certificate_3(const Field&&, const Threshold&, const Threshold&) = delete; // the pointer would dangle
 
-  /// Constructs a certificate for meshes in a shell. Data that does not depend on the mesh is reused: the cover, if the
-  /// shell has one, and bounds on cells, if the shell has some or they are given. A shell that is not certified may
-  /// have candidates of paths through its components, from a file (`Bspline_shell_3::path_candidates()`). A mesh must
-  /// then have exactly one component in each component through which such a path is proved to lead, and no other
-  /// component. If there is no shell, `verify()` sets `status()` to the status of the shell.
-  /// \pre the shell outlives this object and stays as it is; `bounds` are those of the shell
+  /// constructs a certificate for meshes in a shell. Data of the shell that does not depend on the mesh is reused: its
+  /// cover, and its bounds on cells unless `bounds` are given. A shell from a file that is not yet certified may have
+  /// candidates for paths through its components (`Bspline_shell_3::path_candidates()`). A mesh must then have exactly
+  /// one component in each component through which such a path is proved to lead, and no other component. If there is
+  /// no shell, `verify()` sets `status()` to the status of the shell.
+  /// \pre the shell outlives this object and is not modified; `bounds` are those of the shell
   explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>& shell,
                                std::shared_ptr<const Bounds> bounds = nullptr)
     : Shell_certificate_3(shell.field(), shell.inner_threshold(), shell.outer_threshold())
@@ -103,15 +104,15 @@ public:
   explicit Shell_certificate_3(const Bspline_shell_3<Field, Threshold>&&,
                                std::shared_ptr<const Bounds> = nullptr) = delete;
 
-  /// Examines a mesh: the one for which the shell was built, or any other.
+  /// examines the five claims for a mesh: the one for which the shell was built, or any other.
   ///
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
   /// \tparam PolygonMesh a model of `FaceListGraph`
-  /// \param mesh a closed mesh, or one with the border of the shell's closing. The closing is certified with it: its
-  ///   triangles count as facets after those of the mesh. If the shell truncates tips of the mesh, so does the
-  ///   certificate, and the triangles of discs count as the facets that follow. Polygons are triangulated as for the
-  ///   construction of a shell.
-  /// \param np `vertex_point_map` as in all of \cgal
+  /// \param mesh a closed mesh, or one with the border of the shell's closing. The triangles of the closing are
+  ///   certified with the mesh, and follow its facets. Tips that the shell truncates are truncated here as well, and
+  ///   the triangles of discs follow those of the closing. Polygons are triangulated as for the construction of a
+  ///   shell.
+  /// \param np `vertex_point_map`: a property map from the vertices of `mesh` to their points
   /// \return `true` if all claims are proved
   template <typename ConcurrencyTag = Parallel_if_available_tag, typename PolygonMesh,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -130,13 +131,13 @@ public:
     return verify<ConcurrencyTag>(std::shared_ptr<const Input_mesh_3>(std::move(input)));
   }
 
-  /// Examines a mesh in the package's representation; facets and vertices are those of the user's mesh.
+  /// examines a mesh in the package's representation; reported facets and vertices are those of the user's mesh.
   /// \param input the mesh; not null
   template <typename ConcurrencyTag = Parallel_if_available_tag>
   bool verify(std::shared_ptr<const Input_mesh_3> input);
 
-  /// Certifies the shell with the mesh that was verified last, as described for `Bspline_shells::certify()`. Returns
-  /// `false`, and leaves the shell unchanged, if the mesh is not certified.
+  /// marks the shell as certified with the mesh that was verified last, as described for `Bspline_shells::certify()`.
+  /// If the mesh is not certified, returns `false` and leaves the shell unchanged.
   /// \pre `shell` is the one with which this object was constructed
   bool certify(Bspline_shell_3<Field, Threshold>& shell)
   {
@@ -149,9 +150,10 @@ public:
     return true;
   }
 
-  /// Returns whether the integral curves map the mesh one-to-one onto the mesh of another certificate: both are
+  /// returns whether the integral curves map the mesh one-to-one onto the mesh of another certificate: the two are
   /// certified, and their components lie in the same components of the shell. The verdict is undecided if one of them
-  /// is not certified, if their field objects or thresholds differ, or if every path through a component is degenerate.
+  /// is not certified, if their field objects or thresholds differ, or if all paths through some component are
+  /// degenerate.
   Verdict matches(const Shell_certificate_3& other) const
   {
     const bool is_same_shell = m_field == other.m_field && m_inner == other.m_inner && m_outer == other.m_outer;
@@ -161,53 +163,55 @@ public:
     return match_components(paths, *m_last.input).verdict();
   }
 
-  /// Returns `true` if all claims were proved when the mesh was last verified.
+  /// returns whether all claims were proved in the last call of `verify()`
   bool is_certified() const
   {
     return status() == Shell_status::SUCCESS && arithmetic() == Arithmetic_status::SOUND && report().are_all_proved();
   }
   explicit operator bool() const { return is_certified(); }
 
-  /// Returns `SUCCESS` if the mesh could be examined, otherwise the reason.
+  /// returns `SUCCESS` if the mesh could be examined, otherwise the reason
   Shell_status status() const { return m_last.status; }
   const Offending_simplices& offending_simplices() const { return m_last.offending_simplices; }
   Arithmetic_status arithmetic() const { return m_last.arithmetic; }
 
-  /// Returns all results, without the data that they refer to.
+  /// returns all results, except for the meshes and boxes to which they refer
   const Certificate_report& report() const { return m_last.report; }
   Verdict verdict(Claim claim) const { return report().verdict(claim); }
-  /// Returns places where a claim is not proved; their full number is `Certificate_report::number_of_witnesses`.
+  /// returns places where a claim is not proved; their total number is `Certificate_report::number_of_witnesses`
   const std::vector<Certificate_witness>& witnesses() const { return report().witnesses; }
-  /// Returns the verdicts on facets, in the order of `faces(mesh)`, then on those of the closing, and of discs.
+  /// returns the verdicts on the facets of the mesh in the order of `faces(mesh)`, then on the triangles of the
+  /// closing, then on those of discs
   const std::vector<Facet_verdict>& facets() const { return m_last.facets; }
-  /// Returns the cover of the shell by boxes, if containment is proved.
+  /// returns the cover of the shell by boxes, if containment is proved
   const std::optional<Cover>& cover() const { return m_last.cover; }
-  /// Returns the examined triangles, which have `double` coordinates.
+  /// returns the mesh of the examined triangles, which has `double` coordinates
   const Triangle_mesh& examined_mesh() const { return m_last.input->mesh(); }
-  /// Returns, for each component of the mesh, the vertex of the examined mesh from which the cover is flooded, if
-  /// containment is proved.
+  /// returns, for each component of the mesh, the vertex of the examined mesh from which the flood fill of the cover
+  /// starts, if containment is proved
   const std::vector<Triangle_mesh::Vertex_index>& seeds() const { return m_last.seeds; }
-  /// Returns the number of components of the cover.
+  /// returns the number of components of the cover
   std::size_t number_of_covers() const { return report().covers; }
-  /// Returns the paths that prove the degree.
+  /// returns the paths that prove the claim `DEGREE_ONE`
   const std::vector<Crossing_path>& paths() const { return report().paths; }
-  /// Returns, for each component of the mesh, the component of the shell that certainly contains it, or
-  /// `Certificate_witness::none`.
+  /// returns, for each component of the mesh, the component of the shell that is proved to contain it, or
+  /// `Certificate_witness::none`
   const std::vector<std::size_t>& components() const { return report().components; }
   const Certificate_statistics& statistics() const { return report().statistics; }
-  /// Returns the bounds on the cells that facets meet; null if there are none yet.
+  /// returns the bounds on the cells that facets meet; null if there are none yet
   const std::shared_ptr<const Bounds>& bounds() const { return m_bounds; }
 
   /// \name Quantities
   /// @{
-  /// Returns a lower bound of \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved.
+  /// returns a lower bound of \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved.
   double least_gradient() const { return report().least_gradient; }
-  /// Bounds, in user units, the distance of a point from its image on any other certified mesh: an integral curve in
-  /// the shell is not longer. The bound is infinite if the gradient claim is not proved.
+  /// returns an upper bound of the length of integral curves in the shell, in the units of the coordinates. It bounds
+  /// the distance between a point and its image on any other certified mesh. The bound is infinite if the gradient
+  /// claim is not proved.
   double displacement_bound() const { return report().displacement_bound; }
-  /// Bounds, for each facet in the order of `faces(mesh)`, the length in the shell of the integral curves that meet the
-  /// facet. The bounds depend on the gradient and the thresholds nearby, and in most places are much smaller than
-  /// `displacement_bound()`. This takes several times as long as the proof.
+  /// returns, for each facet in the order of `faces(mesh)`, an upper bound of the length in the shell of the integral
+  /// curves that meet the facet. The bounds depend on the gradient and the thresholds nearby, and in most places are
+  /// much smaller than `displacement_bound()`. This takes several times as long as the proof.
   template <typename ConcurrencyTag = Parallel_if_available_tag>
   std::vector<double> displacement_bounds() const
   {
@@ -216,17 +220,17 @@ public:
     return Bspline_shells::displacement_bounds<ConcurrencyTag>(*cover(), m_inner, m_outer, *m_last.input,
                                                                displacement_bound());
   }
-  /// Returns a lower bound, in radians, of the angle at which integral curves pass through facets; 0 if containment or
-  /// transversality is not proved.
+  /// returns a lower bound, in radians, of the angle at which integral curves pass through facets; 0 if containment or
+  /// transversality is not proved
   double least_angle() const { return report().least_angle; }
-  /// Returns the smallest cone margin of a vertex (`vertex_cone_margin()`).
+  /// returns the smallest cone margin of a vertex (`vertex_cone_margin()`)
   double least_cone_margin() const { return report().least_cone_margin; }
-  /// Returns the vertices, by their position in `vertices(mesh)`, at which no field can be transversal: exact.
+  /// returns the positions in `vertices(mesh)` of the vertices at which no field can be transversal; the test is exact
   const std::vector<std::size_t>& singular_vertices() const { return report().singular_vertices; }
   /// @}
 
 private:
-  // What is known of the last mesh. While it is examined, all claims are undecided.
+  // Results for the last mesh. While it is being examined, all claims are undecided.
   struct Examination
   {
     std::shared_ptr<const Input_mesh_3> input = std::make_shared<const Input_mesh_3>();
@@ -266,7 +270,7 @@ private:
   std::shared_ptr<const Shell_truncation_3> m_truncation;
   internal::Proved_cover m_proved_cover;
   internal::Component_paths m_paths;
-  std::shared_ptr<const Bounds> m_bounds; // kept from mesh to mesh if the field is that of a shell
+  std::shared_ptr<const Bounds> m_bounds; // reused for further meshes if the field is that of a shell
 
   Examination m_last;
 };
@@ -307,7 +311,7 @@ bool Shell_certificate_3<Field, Threshold>::verify(std::shared_ptr<const Input_m
       draft.conclude(internal::witness(claim, Verdict::UNDECIDED, Certificate_witness::CONTAINMENT_NOT_PROVED));
   }
   draft.statistics.seconds = timer.time();
-  // Published last: an exception leaves every claim undecided.
+  // Results are stored last, so that an exception leaves every claim undecided.
   m_last.facets = facets.facets;
   m_last.report = std::move(draft);
   return is_certified();

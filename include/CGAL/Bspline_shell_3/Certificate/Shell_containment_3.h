@@ -32,13 +32,13 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief Tests whether points, segments, triangles and meshes lie in a shell, by the call operators of
+ * \brief tests whether points, segments, triangles, and meshes lie in a shell, with the call operators of
  * `CGAL::Polyhedral_envelope`.
  *
- * The result `true` is proved: every point of the query lies between the thresholds, in the domain, and in the cover by
- * which the shell was certified. If the shell has no cover (`Bspline_shell_3::proved_cover()`), the points lie in cells
- * that the shell may meet. The result `false` means that this does not hold, or only by less than some 1e-13 of the
- * coordinates. Const member functions may be called from several threads at once.
+ * The result `true` is proved: every point of the query lies between the thresholds, in the domain, and in the cover
+ * with which the shell was certified. If the shell has no cover (`Bspline_shell_3::proved_cover()`), the points are
+ * only proved to lie in cells that the shell may meet. The result `false` means that this does not hold, or holds by a
+ * margin that is too small to be proved. Const member functions may be called concurrently.
  *
  * \tparam Field a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
@@ -58,13 +58,13 @@ public:
     m_cover.emplace(shell.field(), shell.inner_threshold(), shell.outer_threshold());
     m_cover->adopt(*shell.proved_cover());
   }
-  explicit Shell_containment_3(const Bspline_shell_3<Field, Threshold>&&) = delete; // it would dangle
+  explicit Shell_containment_3(const Bspline_shell_3<Field, Threshold>&&) = delete; // the pointer would dangle
 
   /// \name Queries
-  /// Points may be of any kernel whose `FT` is `double`.
+  /// Points may belong to any kernel whose `FT` is `double`.
   /// @{
 
-  /// Tests a point; exact for constant thresholds.
+  /// tests a point; exact for constant thresholds
   template <typename Kernel>
   bool operator()(const CGAL::Point_3<Kernel>& q) const
   {
@@ -78,14 +78,14 @@ public:
     } else return contains(std::array<Point_3, 2>{ p, p });
   }
 
-  /// Tests a segment.
+  /// tests a segment
   template <typename Kernel>
   bool operator()(const CGAL::Point_3<Kernel>& source, const CGAL::Point_3<Kernel>& target) const
   {
     return contains(std::array<Point_3, 2>{ point(source), point(target) });
   }
 
-  /// Tests a triangle.
+  /// tests a triangle
   template <typename Kernel>
   bool operator()(const CGAL::Point_3<Kernel>& t0, const CGAL::Point_3<Kernel>& t1,
                   const CGAL::Point_3<Kernel>& t2) const
@@ -93,10 +93,10 @@ public:
     return contains(std::array<Point_3, 3>{ point(t0), point(t1), point(t2) });
   }
 
-  /// Tests all facets of a triangle mesh.
+  /// tests all facets of a triangle mesh
   /// \tparam TriangleMesh a model of `FaceListGraph`
   /// \param mesh the mesh
-  /// \param np `vertex_point_map` as in all of \cgal
+  /// \param np `vertex_point_map`: a property map from the vertices of `mesh` to their points
   template <typename TriangleMesh, typename T, typename Tag, typename Base>
   bool operator()(const TriangleMesh& mesh, const CGAL::Named_function_parameters<T, Tag, Base>& np) const
   {
@@ -117,9 +117,9 @@ public:
     return (*this)(mesh, CGAL::parameters::default_values());
   }
 
-  /// Tests all triangles of a soup.
+  /// tests all triangles of a soup
   /// \tparam PointRange a random access range of points
-  /// \tparam TriangleRange a range of random access ranges of three positions in `points`
+  /// \tparam TriangleRange a range of random access ranges of three indices of `points`
   template <typename PointRange, typename TriangleRange, typename = typename TriangleRange::value_type,
             typename = typename PointRange::value_type>
   bool operator()(const PointRange& points, const TriangleRange& triangles) const
@@ -130,14 +130,14 @@ public:
   }
   /// @}
 
-  /// Returns the component of a certified shell in which each component of a mesh lies. The mesh is closed, or can be
-  /// closed like the mesh of the shell. A contained mesh may have fewer components than the shell, or several in one.
-  /// Then no map onto the mesh of the shell is one-to-one, and the verdict is not `PROVED`. If the shell is not
-  /// certified, or the mesh is refused (`Input_mesh_3`), the verdict is undecided.
-  /// \pre all facets are contained, and face along the gradient: `Shell_certificate_3` proves both, and makes the same
-  ///   comparison
+  /// returns the component of a certified shell in which each component of a mesh lies. The mesh must be closed, or
+  /// have the border of the shell's closing. A contained mesh may have no component in some component of the shell, or
+  /// several; in this case, no map onto the mesh of the shell is one-to-one, and the verdict is not `PROVED`. If the
+  /// shell is not certified, or the mesh is rejected (`Input_mesh_3`), the verdict is undecided.
+  /// \pre all facets are contained and face along the gradient (`Shell_certificate_3` proves this, and makes the same
+  ///   comparison)
   /// \param mesh a model of `FaceListGraph`
-  /// \param np `vertex_point_map` as in all of \cgal
+  /// \param np `vertex_point_map`: a property map from the vertices of `mesh` to their points
   template <typename PolygonMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
   Component_match match(const PolygonMesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values()) const
   {
@@ -155,7 +155,7 @@ public:
     return match_components(m_shell->component_paths(), input);
   }
 
-  /// Returns `true` if nothing is contained: there is no shell, or the arithmetic is not sound.
+  /// returns whether nothing is contained, because there is no shell or floating-point arithmetic is not sound
   bool is_empty() const { return m_is_empty; }
 
 private:
@@ -165,8 +165,8 @@ private:
     return internal::converted<Point_3>(p);
   }
 
-  // Returns true if a point that lies between the thresholds is in the shell. Then everything connected to it between
-  // the thresholds is in the shell, too, as the boxes around the cover are excluded.
+  // Returns whether a point that lies between the thresholds is in the shell. If so, everything connected to it between
+  // the thresholds is in the shell as well, because the boxes around the cover are excluded.
   bool is_in_cover(const Point_3& p) const { return m_cover->component(p) != Cover_box::no_component; }
   bool is_in_cell(const Point_3& p) const
   {

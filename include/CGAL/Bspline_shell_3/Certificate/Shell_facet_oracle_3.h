@@ -43,7 +43,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Certificate
-/// The accepted facets that a `Shell_facet_oracle_3` proves.
+/// which of the facets that it accepts a `Shell_facet_oracle_3` proves
 enum class Facet_proofs
 {
   ALL,
@@ -54,22 +54,21 @@ enum class Facet_proofs
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief Accepts the triangles that provably lie in a shell and face along the gradient. These properties are
- * containment and transversality, the first two claims of the certificate.
+ * \brief accepts triangles that lie in a shell and face along the gradient, the first two claims of the certificate.
+ * With `Facet_proofs::ALL`, these properties are proved for every accepted triangle.
  *
- * Verdicts are based on `Second_order_bounds_3`. Rejections are not proofs: a triangle may be rejected if it is in the
- * shell by less than rounding, or if it would take too many bisections.
+ * Proofs are based on `Second_order_bounds_3`. Rejections are not proofs: a triangle may be rejected although it is in
+ * the shell, if the margin is within rounding errors or the proof would take too many bisections.
  *
- * With `Facet_proofs::WHERE_DOUBTFUL`, only doubtful facets are proved, and accepted facets are not necessarily proved.
- * This mode is for edits that make many facets of which few are left. The results of such edits are certified, whatever
- * was accepted before.
+ * With `Facet_proofs::WHERE_DOUBTFUL`, a facet is accepted without a proof if an estimate from a few samples clears it.
+ * This mode is for edits that create many facets of which few remain, and whose results are certified as a whole.
  *
- * The oracle is immutable: const member functions may be called from several threads at once.
+ * Const member functions may be called concurrently.
  *
  * \tparam Field a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for the facets at a vertex;
- *   verdicts are the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`, used for the facets at a
+ *   vertex; all give the same verdicts
  */
 template <typename Field = Uniform_bspline_field_3<>, typename Threshold = Constant_threshold,
           typename ConcurrencyTag = Sequential_tag>
@@ -82,8 +81,8 @@ public:
   typedef typename Bounds::Sample Sample;
   typedef typename Bounds::Facet_bounds Facet_bounds;
 
-  /// A cache for rejected places. If an edge was given up and is considered again, it usually has the same facets. The
-  /// places that are tried for an edge have the same link.
+  /// a cache of verdicts on places: a rejected edge that is considered again usually has the same facets, and the
+  /// places that are tried for an edge have the same link
   class Memory
   {
   public:
@@ -127,53 +126,52 @@ public:
     std::unordered_map<Place, Facets, Hash> m_facets; // facets at each place
     std::vector<Point_3> m_link;                      // last link
     std::vector<std::optional<Sample> > m_samples;    // samples of its vertices, computed on demand
-    // The vertex whose edge rejected the last place: it most likely rejects the next place, too.
+    // The vertex whose edge rejected the last place, and most likely rejects the next place as well.
     std::optional<std::size_t> m_rejecting;
   };
 
-  /// Constructs an oracle. If there is no shell, it rejects all facets.
+  /// constructs an oracle. If there is no shell, it rejects all facets.
   /// \pre the shell outlives this object, and its field does not change
   explicit Shell_facet_oracle_3(const Shell& shell, Facet_proofs proofs = Facet_proofs::ALL);
-  explicit Shell_facet_oracle_3(const Shell&&, Facet_proofs = Facet_proofs::ALL) = delete; // it would dangle
+  explicit Shell_facet_oracle_3(const Shell&&, Facet_proofs = Facet_proofs::ALL) = delete; // the pointer would dangle
 
   const Shell& shell() const { return *m_shell; }
 
-  /// Returns which of the accepted facets are proved.
+  /// returns which of the accepted facets are proved
   Facet_proofs proofs() const { return m_proofs; }
 
-  /// Returns the bounds on cells, which other examinations of facets in the shell can share.
+  /// returns the bounds on cells, which other examinations of facets in the shell can share
   const std::shared_ptr<const Bounds>& bounds() const { return m_bounds; }
 
-  /// Returns the sample of the field at a point.
+  /// returns the sample of the field at a point
   Sample sample(const Point_3& p) const
   {
     Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
     return m_bounds->sample(p);
   }
 
-  /// Judges the facets (`p`, `link[n]`, `link[n+1]`) around a vertex: all of them must be accepted, and wind around the
-  /// gradient at `p` once.
+  /// judges the facets (`p`, `link[n]`, `link[n+1]`) around a vertex, which must all be accepted, and must wind around
+  /// the gradient at `p` once.
   /// \param link the vertices of the link, in cyclic order
   /// \param memory a cache of earlier verdicts
   Placement_verdict operator()(const Point_3& p, const std::vector<Point_3>& link, Memory& memory) const;
 
-  /// Judges a single facet, with more effort: `Field_predicates_3` decides if the bounds do not.
+  /// judges a single facet, with more effort: if the bounds do not decide, `Field_predicates_3` does
   Placement_verdict operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
   {
     return (*this)(p, q, r, { sample(p), sample(q), sample(r) });
   }
-  /// Judges a single facet, given the samples of its corners by `sample()`.
+  /// judges a single facet, given the samples of its corners by `sample()`
   Placement_verdict operator()(const Point_3& p, const Point_3& q, const Point_3& r,
                                const std::array<Sample, 3>& corners) const;
 
-  /// Returns how often a fan of facets, as above, winds around the gradient at `p`; 0 if a facet does not face along
-  /// it.
+  /// returns how often a fan of facets, as above, winds around the gradient at `p`; 0 if a facet does not face along it
   std::size_t winding_number(const Point_3& p, const std::vector<Point_3>& link) const
   {
     return winding_number(p, sample(p), link);
   }
-  /// Returns the winding number, given the sample at `p`. The axis is so long that rounding does not spoil its
-  /// direction.
+  /// returns the winding number, given the sample at `p`. The axis is so long that rounding changes its direction
+  /// little.
   std::size_t winding_number(const Point_3& p, const Sample& at_p, const std::vector<Point_3>& link) const;
 
 private:
@@ -302,7 +300,7 @@ Placement_verdict Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operat
   }
   const std::size_t turns = winding_number(p, at_p, link);
   if(turns != 1) return turns == 0 ? Placement_verdict::FACES_AWAY : Placement_verdict::WINDS_TWICE;
-  // The first rejected facet, in the order of the link, decides; facets after it may be left out.
+  // The first rejected facet, in the order of the link, decides; facets after it may be skipped.
   boost::container::small_vector<Placement_verdict, 16> verdicts(size, Placement_verdict::ACCEPTED);
   std::atomic<std::size_t> first_rejected(size);
   const auto examine = [&](std::size_t n, std::size_t) {
@@ -314,7 +312,7 @@ Placement_verdict Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::operat
     for(std::size_t other = first_rejected; n < other;)
       if(first_rejected.compare_exchange_weak(other, n)) break;
   };
-  // Facets in few cells take less time than other threads need to begin.
+  // Facets in few cells take less time than starting other threads.
   constexpr double few = 3;
   const double extent = few * m_shell->field().cell(at_p.cell).width();
   const bool is_small = std::all_of(link.begin(), link.end(), [&](const Point_3& q) {

@@ -18,27 +18,28 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief Proves the certificate of a mesh in a shell, and certifies the shell with it. The shell was read from a file,
- * or built by `bspline_shell_3()`.
+ * \brief proves the certificate of a mesh in a shell, and certifies the shell with it, for a shell that was read from a
+ * file or built by `bspline_shell_3()`.
  *
- * If all claims are proved, the shell is certified (`Bspline_shell_3::is_certified()`). It gets the report of the
+ * If all claims are proved, the shell is certified (`Bspline_shell_3::is_certified()`): it gets the report of the
  * certificate, the cover, the bounds on cells, and the paths through its components, as if it had been built for the
  * mesh. The components of the shell are those in which the mesh lies. If the shell was read from a file, the mesh must
- * have exactly one component in each component that the shell had when it was written. All proofs use only the field
- * and the thresholds. The file's paths only identify the required components, and are proved first.
+ * have exactly one component in each component that the shell had when it was written; the paths in the file identify
+ * these components, and are proved first. All other proofs use only the field and the thresholds.
  *
- * If a claim is not proved, the shell is left unchanged, and the witnesses of the certificate locate the failures.
+ * If a claim is not proved, the shell is not changed, and the witnesses of the certificate locate the failures.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam Field a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
  * \tparam PolygonMesh a model of `FaceListGraph`
- * \param shell the shell. Certificates, maps and edits that refer to it must not be in use.
+ * \param shell the shell. Certificates, maps, and edits that refer to it must not be in use.
  * \param mesh the mesh for which the shell was built, or any other mesh in the shell, as for
  *   `Shell_certificate_3::verify()`
- * \param np `vertex_point_map` as in all of \cgal
- * \return the certificate of the mesh. It converts to `true` if all claims are proved; otherwise it has the reasons.
- * \cgalHeading{Cost} The cost of the certificate.
+ * \param np `vertex_point_map`: a property map from the vertices of `mesh` to their points
+ * \return the certificate of the mesh, which converts to `true` if all claims are proved, and otherwise contains the
+ *   reasons
+ * \cgalHeading{Cost} That of the certificate.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Field, typename Threshold, typename PolygonMesh,
           typename CGAL_NP_TEMPLATE_PARAMETERS>

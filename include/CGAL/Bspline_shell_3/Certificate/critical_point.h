@@ -22,23 +22,22 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief A box, inside the box of a function, that certainly contains a critical point of the function.
+ * \brief a box, inside the box of a function, that is proved to contain a critical point of the function.
  */
 struct Critical_point
 {
   std::array<double, 3> center; ///< local coordinates
-  double radius;                ///< half the width of the box, local
+  double radius;                ///< half the width of the box, in local coordinates
 };
 
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief Returns a small box that certainly contains a critical point of a function on its box. Returns nothing if none
- * is found, or if it is degenerate.
+ * \brief returns a small box that is proved to contain a critical point of a function on its box; nothing if none is
+ * found, or if it is degenerate.
  *
  * Newton's method finds a candidate. Krawczyk's test, with second derivatives enclosed on the whole box, proves that a
- * small box around it contains exactly one zero of the gradient. A failed search does no harm: it is only tried if the
- * opposite could not be proved.
+ * small box around it contains exactly one zero of the gradient.
  */
 inline std::optional<Critical_point> prove_critical_point(const Enclosed_tricubic& f)
 {

@@ -26,16 +26,16 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Returns an upper bound of the length of curves between two levels, where the gradient has at least a given length.
-// The last term covers the rounding of subnormal quotients.
+// Returns an upper bound of the length of curves between two values of the field, where the gradient has at least a
+// given length. The last term accounts for the rounding of subnormal quotients.
 inline double longest_curve(const Level_range& levels, double least_gradient)
 {
   return (levels.max - levels.min) / least_gradient * (1 + 4 * rounding) + std::numeric_limits<double>::denorm_min();
 }
 
-// Cubes of equal size that cover some cells. Each stores a bound of the length of curves through it. Along a curve, the
-// field increases by at least the gradient's least length per unit of length. The gradient and the thresholds within a
-// distance of a tile suffice if they imply that curves through the tile end within that distance.
+// Cubes of equal size that cover some cells (*tiles*). Each stores a bound of the length of curves through it. Along a
+// curve, the field increases by at least the smallest length of the gradient per unit of length. The gradient and the
+// thresholds within a distance of a tile suffice if they imply that curves through the tile end within that distance.
 class Displacement_tiles
 {
 public:
@@ -56,7 +56,7 @@ public:
     });
   }
 
-  // Bounds the length of curves through each tile; no curve is longer than `of_all`.
+  // Computes bounds of the length of curves through each tile; no curve is longer than `of_all`.
   void bound(double of_all)
   {
     constexpr int farthest = 4;
@@ -72,7 +72,7 @@ public:
     }
   }
 
-  // Bounds the length of curves that meet a box; returns `of_all` if the box has too many tiles.
+  // Returns a bound of the length of curves that meet a box, or `of_all` if the box has too many tiles.
   double largest_bound(const Bbox_3& box, double of_all) const
   {
     double longest = 0;
@@ -91,11 +91,11 @@ private:
     Level_range levels;
     double bound = 0;
   };
-  static constexpr double margin = 1e-6;     // relative to a width; exceeds the rounding of places of tiles
+  static constexpr double margin = 1e-6;     // relative to a width; exceeds the rounding of positions of tiles
   static constexpr double most_tiles = 4096; // number of tiles of a box
   static constexpr double most_tiles_of_axis = double(1 << 20);
 
-  // Calls visit(index) for the tiles that may meet a box. Returns false if they are too many.
+  // Calls visit(index) for the tiles that may meet a box. Returns false if there are too many.
   template <typename Visit>
   bool visit(const Bbox_3& box, const Visit& visit) const
   {
@@ -141,14 +141,15 @@ private:
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief Bounds, for each facet of a mesh, the length in the shell of the integral curves that meet it.
+ * \brief returns, for each facet of a mesh, an upper bound of the length in the shell of the integral curves that meet
+ * it.
  *
  * \tparam Cover a `Shell_cover_3`
  * \param cover the cover of the shell, without undecided boxes
  * \param inner, outer the thresholds
  * \param mesh a mesh in the shell
- * \param of_all a bound for all curves, in user units
- * \return the bounds in user units, in the order of the user's facets
+ * \param of_all a bound for all curves
+ * \return the bounds in the units of the coordinates, in the order of the user's facets
  */
 template <typename ConcurrencyTag, typename Cover, typename Threshold>
 std::vector<double> displacement_bounds(const Cover& cover, const Threshold& inner, const Threshold& outer,

@@ -27,20 +27,21 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief The component of a shell in which each component of a mesh lies.
+ * \brief the component of a shell in which each component of a mesh lies.
  */
 struct Component_match
 {
   static constexpr std::size_t none = Certificate_witness::none;
 
-  /// the component of the shell that contains each component of the mesh; `none` if there is none, or if it is unknown
+  /// for each component of the mesh, the component of the shell that contains it; `none` if there is none, or if it is
+  /// unknown
   std::vector<std::size_t> component_of_shell;
-  /// how often the paths of each component of the shell cross the mesh from the back to the front, counted with signs;
-  /// empty if every path of the component is degenerate
+  /// for each component of the shell, how often its paths cross the mesh from the back to the front, counted with
+  /// signs; empty if all paths of the component are degenerate
   std::vector<std::optional<int> > crossings;
 
-  /// Returns whether the components of the mesh and of the shell match one-to-one. The verdict is undecided if nothing
-  /// is known about the shell, or about the crossings of one of its components.
+  /// returns whether the components of the mesh and of the shell match one-to-one. The verdict is undecided if the
+  /// shell has no paths, or if the crossings of one of its components are unknown.
   Verdict verdict() const
   {
     bool is_known = !crossings.empty();
@@ -58,29 +59,28 @@ struct Component_match
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief Matches the components of a closed mesh and of a shell, by crossings of the mesh with paths through the shell.
+ * \brief matches the components of a closed mesh and of a shell, by crossings of the mesh with paths through the shell.
  *
- * Along a path, the field increases from below the inner threshold to above the outer one, and so does its difference
- * to both. So the part of the path between the thresholds is connected, and lies in one component of the shell. If a
- * mesh between the thresholds meets the path, then only there. Consider the components of the mesh in that component of
- * the shell. If such a component faces along the gradient, it is crossed at least once, counted with signs. So if the
- * count is one, there is exactly one such component, and it is the one that is crossed.
+ * Along a path, the field increases from below the inner threshold to above the outer threshold, and so do its
+ * differences from the two thresholds. Hence the part of the path between the thresholds is connected, and lies in one
+ * component of the shell. A mesh between the thresholds can meet the path only there. Each component of the mesh in
+ * that component of the shell that faces along the gradient is crossed at least once, counted with signs. If the count
+ * is one, there is therefore exactly one such component: the one that is crossed.
  *
  * Crossings are decided exactly. If a path meets an edge or a vertex of the mesh, another path through the same
- * component is used, if there is one. If the counts of paths through one component differ, the mesh is not between the
- * thresholds; a count of one is then preferred.
+ * component is used if there is one. If the counts of paths through one component differ, the mesh is not between the
+ * thresholds; in this case, a count of one is preferred.
  *
- * \pre the field has no critical point in the components of the shell, and crosses the thresholds there: the third
- *   claim of the certificate
+ * \pre the third claim of the certificate holds in the components of the shell
  *
  * \param paths paths through the components of the shell, in any order
  * \param number_of_components number of components of the mesh
  * \param number_of_triangles number of triangles of the mesh
- * \param triangle a function that returns the three vertices, points of
- *   `Exact_predicates_inexact_constructions_kernel`, of the `n`-th triangle
- * \param component a function that returns the number of the component of the mesh to which the `n`-th triangle belongs
+ * \param triangle a function that returns the three vertices of the `n`-th triangle, as points of
+ *   `Exact_predicates_inexact_constructions_kernel`
+ * \param component a function that returns the index of the component of the mesh to which the `n`-th triangle belongs
  *
- * \cgalHeading{Cost} The cost of `CGAL::box_intersection_d()` for paths and triangles.
+ * \cgalHeading{Cost} That of `CGAL::box_intersection_d()` for paths and triangles.
  */
 template <typename TriangleFunction, typename ComponentFunction>
 Component_match match_components(const std::vector<Crossing_path>& paths, std::size_t number_of_components,
@@ -138,8 +138,8 @@ Component_match match_components(const std::vector<Crossing_path>& paths, std::s
 }
 
 /// \ingroup PkgBsplineShell3Certificate
-/// Matches the components of a mesh in the package's representation, which are numbered in the order of their first
-/// facets.
+/// matches the components of a mesh in the package's representation, which are numbered in the order of their first
+/// facets
 /// \tparam Mesh `Input_mesh_3`
 template <typename Mesh>
 Component_match match_components(const std::vector<Crossing_path>& paths, const Mesh& mesh)

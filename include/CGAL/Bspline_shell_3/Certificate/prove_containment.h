@@ -21,10 +21,10 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief Returns `true` if a mesh certainly lies between two thresholds, in the field's domain. This is the first claim
- * of the certificate alone.
+ * \brief returns whether a mesh is proved to lie between two thresholds, in the field's domain: only the first claim of
+ * the certificate.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam Field a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
  */

@@ -21,7 +21,7 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// Returns true if the field and its differences to both thresholds certainly increase along a segment.
+// Returns whether the field and its differences from the two thresholds are proved to increase along a segment.
 template <typename Field, typename Threshold>
 bool certainly_increase(const Field_predicates_3<Field>& predicates, const Threshold& inner, const Threshold& outer,
                         const std::array<typename Field::Point_3, 2>& segment)
@@ -38,10 +38,10 @@ bool certainly_increase(const Field_predicates_3<Field>& predicates, const Thres
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief Returns `true` if a segment certainly leads through a component of the shell once.
+ * \brief returns whether a segment is proved to lead through a component of the shell once.
  *
- * The field is less than the inner threshold at the source, and greater than the outer threshold at the target. The
- * field, and its difference to each threshold, increase along the segment. So the part between the thresholds is
+ * The field is less than the inner threshold at the source, and greater than the outer threshold at the target; the
+ * field and its differences from the thresholds increase along the segment. Hence the part between the thresholds is
  * connected, and lies in one component of the shell.
  */
 template <typename Field, typename Threshold>
@@ -55,9 +55,9 @@ bool leads_through_shell(const Field_predicates_3<Field>& predicates, const Thre
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief Returns a segment that certainly leads through the shell once, near a point and along the gradient there.
+ * \brief returns a segment that is proved to lead through the shell once, near a point and along the gradient there;
+ * nothing if the point is outside the domain, or if no such segment is found.
  *
- * Nothing is returned if the point is outside the domain, or if no such segment is found.
  *
  * \param predicates the predicates of the field
  * \param inner the inner threshold
@@ -74,11 +74,11 @@ std::optional<std::array<typename Field::Point_3, 2> > segment_through_shell(
   const typename Field::Cell_index c = field.locate(middle);
   if(c == Field::npos) return std::nullopt;
   const auto jet = field.cell(c).first_order_jet(middle);
-  // The gradient and the values are scaled, as squares of small or large ones would vanish or overflow.
+  // The gradient and the values are scaled, because squares of small or large numbers would underflow or overflow.
   const std::array<double, 3> gradient = internal::scaled_to_unit(jet.gradient);
   const double unit = internal::reciprocal_power_of_two(jet.gradient), squared = internal::dot(gradient, gradient);
   if(!(squared > 0)) return std::nullopt;
-  // Returns the first point in a direction that is certainly beyond a threshold. The field may be less steep there.
+  // Returns the first point in a direction that is proved to be beyond a threshold. The field may be less steep there.
   const auto end = [&](double difference, const Threshold& threshold, Sign side) -> std::optional<Point_3> {
     for(double stretch : { 1.05, 1.2, 1.5, 2., 3. }) {
       const double s = stretch * (unit * difference) / squared;

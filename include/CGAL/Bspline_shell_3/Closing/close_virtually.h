@@ -16,23 +16,23 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Closing
  *
- * \brief Computes triangles that close an open mesh, so that it bounds a volume and a shell can be built around it.
+ * \brief computes triangles that close an open mesh, so that it bounds a volume and a shell can be built around it.
  *
- * Holes are triangulated without new vertices (`CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`), or else
- * by a fan around one new vertex. A cap is kept if it causes no self-intersection, does not fold at the hole's border,
- * and leaves no thin wall or gap. A component with an uncapped hole becomes a slab: it gets a back sheet, and strips
- * that connect the sheet to the border. The back sheet is a reversed copy of the component, moved behind it and beyond
- * its border. The distance is smaller where other parts of the mesh are close behind, and is halved where the closed
- * mesh would intersect itself.
+ * Holes are triangulated without new vertices (`CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`) or, if
+ * this fails, by a fan around one new vertex. Such a *cap* is kept if it causes no self-intersection, does not fold at
+ * the hole's border, and leaves no thin wall or gap. A component with an uncapped hole becomes a slab: it gets a *back
+ * sheet*, a reversed copy of the component that is moved behind it and extended beyond its border, and strips that
+ * connect this sheet to the border. The distance of the back sheet is smaller where other parts of the mesh are close
+ * behind, and is halved where the closed mesh would intersect itself.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
- * \param mesh an open mesh of triangles
- * \param offset approximate upper bound on the distance of back sheets from the mesh, in user units
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
+ * \param mesh an open triangle mesh
+ * \param offset approximate upper bound on the distance of back sheets from the mesh, in the units of the coordinates
  * \param[out] report how holes were closed
- * \return the closing, which makes the mesh closed and free of self-intersections; or the reason why there is none:
+ * \return the closing, which makes the mesh closed and free of self-intersections, or the reason why there is none:
  *   `SELF_INTERSECTION` of the mesh itself, or `NOT_CLOSABLE`
  * \pre facets have positive area, and each vertex has one fan
- * \cgalHeading{Cost} a search for self-intersections each time the distance is halved somewhere
+ * \cgalHeading{Cost} A search for self-intersections each time the distance is halved somewhere.
  */
 template <typename ConcurrencyTag>
 Input_mesh_3::Closed close_virtually(const Input_mesh_3::Triangle_mesh& mesh, double offset, Closing_report& report);

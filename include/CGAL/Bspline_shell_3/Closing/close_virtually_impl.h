@@ -26,7 +26,8 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// Returns the facets at border vertices whose fans cannot be completed to face one direction and wind once.
+// Returns the facets at border vertices whose fans face a common direction, but cannot be completed so that they wind
+// once.
 inline std::vector<Closing_mesh::Face_index> facets_at_spirals(const Closing_mesh& mesh)
 {
   std::vector<Closing_mesh::Face_index> facets;
@@ -42,7 +43,7 @@ inline std::vector<Closing_mesh::Face_index> facets_at_spirals(const Closing_mes
       link.push_back(mesh.point(mesh.target(mesh.next(h))));
       fan.wings.emplace_back(link[link.size() - 2], link.back());
     }
-    // If the facets at a vertex face no common direction, it is singular with any closing.
+    // If the facets at a vertex face no common direction, the vertex is singular with every closing.
     if(!is_fan_closable(mesh.point(v), link) && cone_direction(fan))
       facets.insert(facets.end(), around.begin(), around.end());
   }
@@ -58,7 +59,8 @@ class Virtual_closer
 public:
   Virtual_closer(const Closing_mesh& mesh, double offset) : m_mesh(mesh), m_offset(offset), m_caps(mesh) {}
 
-  // Returns some of the intersecting pairs, which suffices to proceed. They must not depend on the number of threads.
+  // Returns some of the intersecting pairs, which suffice to proceed. The search is sequential, so that the result does
+  // not depend on the number of threads.
   static Facet_pairs intersections(const Closing_mesh& mesh)
   {
     constexpr unsigned int most_pairs = 10000;
@@ -68,7 +70,7 @@ public:
     return pairs;
   }
 
-  // Replaces caps until none intersects a facet. Attempts with different requirements start from these caps.
+  // Replaces caps until none intersects a facet. Attempts with different requirements begin with these caps.
   void cap_holes()
   {
     while(m_caps.replace(intersections(m_caps.capped_mesh()))) {}
@@ -79,7 +81,7 @@ public:
   {
     while(m_caps.replace(requirements)) cap_holes();
     Back_sheet back(m_caps.capped_mesh(), m_offset);
-    // Each round halves distances at some vertices only. A mesh with successively narrower parts needs many rounds.
+    // Each round halves distances only at some vertices, so a mesh with successively narrower parts needs many rounds.
     constexpr int most_rounds = 40;
     for(int round = 0; round < most_rounds; ++round) {
       Assembled_closing assembled = assemble_closing(m_mesh, m_caps, back);
@@ -106,8 +108,8 @@ public:
     return bool(m_closing);
   }
 
-  // Changes a back sheet without intersections where it is folded, or where the cone of facets at a vertex is too
-  // narrow; returns whether it was changed. Remaining defects come from the mesh.
+  // Changes a back sheet that has no intersections where it is folded, or where the cone margin of a vertex is too
+  // small. Returns whether it was changed.
   bool improves(Back_sheet& back, const Shell_closing_3& closing, const std::vector<std::size_t>& points,
                 const Closing_mesh& whole, const std::vector<Closing_mesh::Vertex_index>& added) const
   {
@@ -129,7 +131,7 @@ public:
 
   const std::shared_ptr<const Shell_closing_3>& closing() const { return m_closing; }
   const Closing_report& report() const { return m_report; }
-  // Returns the least gap of the closed mesh that is due to the closing.
+  // Returns the smallest gap of the closed mesh that is due to the closing.
   double least_gap() const { return m_least_gap; }
   // Returns the facets of the mesh where the last attempt failed.
   std::vector<Face_index> offending_facets() const
@@ -169,7 +171,7 @@ Input_mesh_3::Closed close_virtually(const Input_mesh_3::Triangle_mesh& mesh, do
   }
   closed.offending_facets = internal::facets_at_spirals(mesh);
   if(!closed.offending_facets.empty()) return closed;
-  // First with caps that leave room. If some holes remain without one, caps that leave less room may be better.
+  // Tries caps that leave ample room first. If some holes then have no cap, caps that leave less room may be better.
   const internal::Hole_caps::Requirements good = { 0.1, 2 * offset }, fair = { 0.02, 0 };
   Closer strict(mesh, offset);
   strict.cap_holes();

@@ -16,19 +16,20 @@ namespace Bspline_shells {
 /// only.
 struct Condition_tuning
 {
-  /// Largest width of a piece of the mesh, in cells, that one condition at its center represents. Larger pieces also
+  /// Largest width of a piece of the mesh, in cells, for which one condition at its center suffices. Larger pieces also
   /// have conditions at their corners, unless the cell has more than `few_pieces` pieces.
   double small_piece = 0.25;
   std::size_t few_pieces = 8;
   /// Largest number of pieces in a cell that have conditions.
   std::size_t max_pieces = 48;
-  /// Least cosine between a direction and every normal nearby, for the direction to count as common to them.
+  /// Smallest cosine between a direction and every normal nearby for which the direction is considered common to them.
   double least_common_cosine = 0.01;
-  /// Slope requested in a cell with a gap, as a multiple of gap / cell width.
+  /// Slope required in a cell with a gap, as a multiple of gap / cell width.
   double slope_at_gap = 0.25;
-  /// Cells at a gap are halved at once until their width is at most this multiple of the gap.
+  /// Cells at a gap are split in one round until their width is at most this multiple of the gap.
   double cell_at_gap = 4;
-  /// A neighbor is refined like a cell if |f| on the mesh in it is at least this fraction of |f| in the cell.
+  /// A neighbor of a cell is split with it if |f| on the mesh in the neighbor is at least this fraction of |f| in the
+  /// cell.
   double similar = 0.7;
 };
 

@@ -29,12 +29,10 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief caches the results computed for the field of a round: its range on the mesh in each cell, the facets that it
- * certainly crosses upwards, and the cover of the shell between its thresholds.
+ * \brief caches the results for the field of a round: its range on the mesh in each cell, the facets that are proved to
+ * face along its gradient, and the cover of the shell between its thresholds.
  *
- * An entry remains valid for the next field if the field is unchanged in the cell (`is_same_in_cell()`).
- *
- * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
+ * An entry remains valid for the next field if that field is the same in the cell (`is_same_in_cell()`).
  */
 template <typename ConcurrencyTag>
 class Examined_field
@@ -118,14 +116,14 @@ public:
     budget.round().thick_cells = m_ranges.thick_cells().size();
     budget.end_step(Refinement_budget::BOUNDS);
   }
-  /// returns an enclosure of the range on each facet
+  /// returns an enclosure of the field on each facet
   /// \pre `ranges()` was called
   std::vector<Level_range> facet_ranges() const
   {
     return m_ranges.template facets<ConcurrencyTag>(*m_fitted.field(), m_fitted.clipped());
   }
 
-  /// returns the facets for which it is not proved that the field crosses them upwards
+  /// returns the facets that are not proved to face along the gradient
   std::vector<Facet_failure> failing_facets()
   {
     std::vector<Facet_failure> failures = Bspline_shells::failing_facets<ConcurrencyTag>(
@@ -135,7 +133,8 @@ public:
     return failures;
   }
 
-  /// chooses thresholds, and returns the places where the mesh needs wider ones than obstacles allow
+  /// chooses thresholds, and returns the places where |f| on the mesh is too large for thresholds that exclude the
+  /// obstacles
   /// \pre `thresholds().begin()` was called
   std::vector<Threshold_obstacle> choose_thresholds(const Narrowing_limits& limits)
   {

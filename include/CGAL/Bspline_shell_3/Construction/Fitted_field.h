@@ -39,10 +39,8 @@ namespace Bspline_shells {
  *
  * \brief the field of a round, the mesh clipped to its cells, and the linear system of the fit.
  *
- * A fit computes all coefficients, or only those that act on the cells split since the last round. Samples of the
- * signed distance are reused in cells that stay.
- *
- * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
+ * A fit computes all coefficients, or only the coefficients that act on the cells split since the last round. Samples
+ * of the signed distance are reused in cells that were not split.
  */
 template <typename ConcurrencyTag>
 class Fitted_field
@@ -57,10 +55,9 @@ public:
   explicit Fitted_field(const Refinement_problem& problem) : m_problem(problem) {}
 
   /// fits a field on new cells.
-  /// \param cells the cells
-  /// \param may_be_partial whether to fit only the coefficients that act on split cells, if these are few
+  /// \param may_be_partial whether to fit only the coefficients that act on split cells if there are few of them
   /// \param budget records sizes and times of the round
-  /// \return the reason of a failure
+  /// \return the reason if the fit fails
   std::optional<Refinement_status> fit(Cell_hierarchy_3 cells, bool may_be_partial, Refinement_budget& budget)
   {
     release_equations();
@@ -77,7 +74,7 @@ public:
     budget.round().cells = m_field->number_of_cells();
     budget.round().unknowns = m_field->number_of_coefficients();
     budget.round().levels = m_field->number_of_levels();
-    m_clipped.reset(); // frees memory before the next one is built
+    m_clipped.reset(); // frees memory before the next clipped mesh is built
     m_clipped.emplace(clip_mesh_to_cells<ConcurrencyTag>(*m_problem.input, m_field->cells()));
     const double largest_part = m_problem.parameters.tuning.largest_part * double(m_field->number_of_cells());
     m_part.reset();
@@ -101,7 +98,7 @@ public:
   /// \return the previous field
   Field update() { return std::exchange(*m_field, m_field->template with_coefficients<ConcurrencyTag>(m_x * width())); }
 
-  /// increases the weight of the surface term of later fits in some cells
+  /// increases the weight of the surface term in the given cells in later fits
   void increase_surface_weights(const std::vector<Index>& cells)
   {
     if(cells.empty()) return;

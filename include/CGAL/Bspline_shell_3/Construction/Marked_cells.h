@@ -34,7 +34,7 @@ void visit_around(const Cell_hierarchy_3& cells, Cell_hierarchy_3::Index c, cons
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the cells to split, except cells that are already as small as allowed.
+ * \brief collects the cells to split, except for cells of the finest level allowed.
  */
 class Marked_cells
 {
@@ -51,8 +51,8 @@ public:
     if(m_cells.level(c) < m_cells.max_level()) m_marked.push_back(c);
   }
 
-  /// marks a cell and its neighbors of the same size that differ from it along at most `axes` axes. Where slopes fail,
-  /// splitting a wider region gives the field more freedom.
+  /// marks a cell and its neighbors of the same size whose positions differ from it along at most `axes` axes. Where
+  /// slopes fail, splitting a wider region gives the field more freedom.
   void mark_widely(Index c, int axes = 3)
   {
     const Lattice_point p = m_cells.lattice_point(c);

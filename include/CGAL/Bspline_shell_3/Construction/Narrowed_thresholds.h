@@ -43,7 +43,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief limits at which the search for thresholds ends, even if some thresholds could be narrowed further.
+ * \brief limits of the search for thresholds, which end it even if some thresholds could be narrowed further.
  */
 struct Narrowing_limits
 {
@@ -55,18 +55,18 @@ struct Narrowing_limits
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief chooses the thresholds of a shell. Thresholds are narrowed where it is undecided whether the shell has a
- * critical point, and where the shell reaches the end of the domain. The mesh limits how far.
+ * \brief chooses the thresholds of a shell. They are narrowed, that is, moved toward zero, where it is undecided
+ * whether the shell has a critical point, and where the shell reaches the boundary of the domain. The values of the
+ * field on the mesh limit this.
  *
- * Critical values in undecided boxes determine how far to narrow (`critical_values()`). A thin wall contains many
- * critical points, and a cell may need more boxes across its surface than the cover allows. If the threshold is already
- * close enough to zero there, only a finer cover can decide.
+ * Critical values in undecided boxes determine how far to narrow (`critical_values()`). Thin walls
+ * contain many critical points, and covering a cell there may take more boxes than the cover allows. If the threshold
+ * is already close enough to zero, only a finer cover can decide.
  *
  * Each pass covers the shell anew (`Shell_cover_3`), except in cells where field and thresholds have not changed.
- * Results are also kept for later fields: on the same cells (`field_has_changed()`) and on finer cells
- * (`cells_were_refined()`). `forget_field()` keeps only the caps.
- *
- * \tparam Field `Hierarchical_bspline_field_3`
+ * Results are also kept for later fields, on the same cells (`field_has_changed()`) and on finer cells
+ * (`cells_were_refined()`). `forget_field()` keeps only the caps, which are upper bounds on the absolute values of
+ * thresholds.
  */
 template <typename Field>
 class Narrowed_thresholds
@@ -79,9 +79,9 @@ public:
   /// \param seeds a point on each component of the mesh
   explicit Narrowed_thresholds(std::vector<Point_3> seeds) : m_seeds(std::move(seeds)) {}
 
-  /// begins with thresholds of the requested width, except where earlier ones had to be narrower
+  /// starts with thresholds for the requested thickness, except where earlier thresholds had to be narrower
   /// \param field as for `choose()`
-  /// \param thickness the requested thickness, a function of points, user units
+  /// \param thickness the requested thickness as a function of points, in the units of the coordinates
   /// \pre `field` outlives the calls of `choose()` that follow
   template <typename Thickness>
   void begin(const Field& field, const Thickness& thickness)
@@ -92,7 +92,7 @@ public:
     for(const Cap& cap : m_caps) m_wanted->cap(cap); // otherwise, they would be found again
   }
 
-  /// replaces the requested thresholds by two constant levels, which are not narrowed
+  /// replaces the requested thresholds by two constant thresholds, which are not narrowed
   void set_constant(const Level_range& levels)
   {
     m_wanted->set_constant(levels);
@@ -100,17 +100,16 @@ public:
   }
 
   /// chooses thresholds for the current field
-  /// \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
   /// \tparam Ranges a function of `Mesh_ranges::Precision`
   /// \param ranges returns enclosures of the field on the part of the mesh in each cell
-  /// \return the places where the mesh requires wider thresholds than obstacles allow; if there are none, the places
-  ///   where only a finer cover can decide
+  /// \return the places where |f| on the mesh is too large for thresholds that exclude the obstacles; if there are
+  ///   none, the places where only a finer cover can decide
   /// \pre `begin()` was called
   template <typename ConcurrencyTag, typename Ranges>
   std::vector<Threshold_obstacle> choose(const Ranges& ranges, const Narrowing_limits& limits)
   {
     CGAL_precondition(m_wanted.has_value());
-    // Caps are limited by the ranges on the mesh, so these must be sharp.
+    // The ranges on the mesh limit the caps, and must therefore be sharp.
     bool is_sharp = !m_wanted->caps().empty();
     m_tight.clear();
     if(!m_is_constant) m_wanted->set_mesh_ranges(ranges(is_sharp ? Mesh_ranges::SHARP : Mesh_ranges::SUFFICIENT));
@@ -145,7 +144,7 @@ public:
     }
   }
 
-  /// returns the places where a pass of the last `choose()` found little or no room
+  /// returns the places where a pass of the last call of `choose()` found little or no room
   std::vector<Threshold_obstacle> narrow_places() const
   {
     std::vector<Threshold_obstacle> places;
@@ -153,7 +152,7 @@ public:
     return places;
   }
 
-  /// returns whether the last call of `choose()` was for the current field
+  /// returns whether thresholds were chosen for the current field
   bool are_chosen() const { return bool(m_inner); }
 
   /// \pre `are_chosen()`
@@ -169,8 +168,8 @@ public:
     return *m_outer;
   }
 
-  /// returns the total volume of the boxes in which the last `choose()` left critical points undecided, and of the
-  /// boxes at the end of the domain; infinite before the first call
+  /// returns the total volume of the boxes in which the last call of `choose()` left critical points undecided, and of
+  /// the boxes at the boundary of the domain; infinite before the first call
   double undecided_volume() const { return m_undecided_volume; }
 
   /// discards the chosen thresholds
@@ -180,17 +179,15 @@ public:
     m_outer.reset();
   }
 
-  /// discards all data that is kept from field to field
+  /// discards all data that is kept for later fields
   void forget()
   {
     m_examined.reset();
     m_caps.clear();
   }
 
-  /// discards the cover, and keeps the caps for another field on finer cells. A cap is scaled by the ratio of the old
-  /// to the new cell width: within a thin wall, a field on narrower cells departs farther from zero.
-  /// \param before the previous cells
-  /// \param cells the finer cells
+  /// discards the cover, and keeps the caps for another field on finer cells. Caps are scaled by the ratio of the old
+  /// to the new cell width, because |f| within a thin wall is larger on narrower cells.
   void forget_field(const Cell_hierarchy_3& before, const Cell_hierarchy_3& cells)
   {
     reset();
@@ -221,8 +218,8 @@ public:
       if(c != Field::npos && changed[c]) c = Field::npos;
   }
 
-  /// discards outdated data after a change to finer cells; `now` is the new number of each cell, or `Field::npos` if
-  /// the cell is split or the field has changed in it
+  /// discards outdated data after a change to finer cells; `now` is the new index of each cell, or `Field::npos` if the
+  /// cell was split or the field has changed in it
   void cells_were_refined(const std::vector<Cell_index>& now)
   {
     reset();
@@ -242,7 +239,7 @@ private:
   typedef typename Shell_thresholds_3<Field>::Cap Cap;
   typedef std::pair<Cell_index, int> Cell_and_side;
 
-  // The last cover and its thresholds. `now` is the current number of each of its cells, or npos where the field has
+  // The last cover and its thresholds. `now` is the current index of each of its cells, or npos where the field has
   // changed since then.
   struct Examined
   {
@@ -251,7 +248,7 @@ private:
     std::vector<Cell_index> now;
   };
 
-  // The obstructing box whose values are closest to zero, and whether the cover is too coarse there.
+  // The obstructing box with the values closest to zero, and whether the cover is too coarse there.
   struct Nearest
   {
     double size;
@@ -282,7 +279,8 @@ private:
     return cover;
   }
 
-  // Returns the closest obstruction in each cell and on either side. Boxes where the field may be zero are obstacles.
+  // Returns the obstruction closest to zero in each cell, on each side of zero. Boxes in which the field may be zero
+  // are added to the obstacles.
   std::map<Cell_and_side, Nearest> nearest_in_the_way(const Cover& cover, std::vector<Threshold_obstacle>& obstacles)
   {
     std::map<Cell_and_side, Nearest> nearest;
@@ -306,7 +304,7 @@ private:
         if(box.component != Cover_box::no_component && box.kind == Box_kind::UNDECIDED) {
           internal::Run::poll();
           // If only the threshold is too steep, there may be no critical point, and the critical values may lie on the
-          // other side of zero. Then the range of the field is used.
+          // other side of zero. In this case, the range of the field is used.
           const Enclosed_tricubic f = cover.function(box);
           const Level_range values = critical_values(f), field = f.range();
           const bool is_beyond_zero = (field.min > 0 && values.max < 0) || (field.max < 0 && values.min > 0);
@@ -316,8 +314,8 @@ private:
     return nearest;
   }
 
-  // Caps each threshold halfway between the obstruction and the value that the mesh requires, if there is room. Returns
-  // these places. If a cap would not narrow the threshold and the cover is coarse, the place is unresolved.
+  // Caps each threshold halfway between the obstruction and the value that the mesh requires, if there is room, and
+  // returns these places. If a cap would not narrow the threshold and the cover is coarse, the place is unresolved.
   std::vector<Threshold_obstacle> narrow(const std::map<Cell_and_side, Nearest>& nearest,
                                          std::vector<Threshold_obstacle>& obstacles,
                                          std::vector<Threshold_obstacle>& unresolved)

@@ -74,8 +74,8 @@ public:
   }
 
   /// returns the limit that a round with this number of cells would exceed, if there is one.
-  /// \param points number of points on all levels at which the field of that round has coefficients
-  /// \param most_points largest number of points that the numbering of equations allows
+  /// \param points number of points, on all levels, at which the field of that round would have coefficients
+  /// \param most_points largest number of points for which the equations can be numbered
   Refinement_limit limit_of_round(std::size_t cells, double points, double most_points) const
   {
     Refinement_limit limit = { Refinement_resource::NONE, cells, 1600. * double(cells) + 4000. * points };

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Construction
-/// a facet whose slope fails in a cell
+/// a facet across which the slope is too small in a cell
 struct Sloping_facet
 {
   std::uint32_t cell, facet;
@@ -29,13 +29,13 @@ struct Sloping_facet
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the probable cause of the obstacles to thresholds in a round.
+ * \brief the likely cause of the obstacles to thresholds in a round.
  */
 enum class Obstacle_kind
 {
   FEW,         ///< a few places
   MANY,        ///< many places, without a common cause
-  THICK_FIELD, ///< many places, after the field was too large on the mesh in many cells
+  THICK_FIELD, ///< many places, after |f| was too large on the mesh in many cells
   NARROW_GAPS  ///< walls or gaps are too narrow for the thickness on much of the mesh
 };
 
@@ -49,8 +49,8 @@ inline std::size_t many_obstacles(std::size_t cells_at_mesh, const Refinement_tu
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief records the rounds of a refinement: their progress, the facets that refinement does not help, and whether gaps
- * are too narrow.
+ * \brief records the rounds of a refinement: their progress, the facets at which refinement does not help, and whether
+ * gaps are too narrow.
  */
 class Refinement_history
 {
@@ -61,23 +61,22 @@ public:
   {}
 
   /// records a round in which thresholds were chosen.
-  /// \param round numbers of thick cells, failing facets and obstacles
-  /// \param undecided_volume total volume of the obstacles' boxes; boxes differ in size, so that fewer boxes may have
-  ///   more volume
+  /// \param round the number of thick cells, failing facets, and obstacles
+  /// \param undecided_volume total volume of the obstacles' boxes, whose sizes differ
   void add_round(const Refinement_round& round, double undecided_volume)
   {
     const bool makes_progress = round.thick_cells > 0 || round.failing_facets < m_fewest_facets
                                 || undecided_volume < m_tuning.progress * m_least_volume
                                 || double(round.undecided_cells) < m_tuning.progress * m_fewest_obstacles;
-    m_rounds_in_vain = makes_progress ? 0 : m_rounds_in_vain + 1;
+    m_stalled_rounds = makes_progress ? 0 : m_stalled_rounds + 1;
     m_least_volume = (std::min)(m_least_volume, undecided_volume);
     m_fewest_facets = (std::min)(m_fewest_facets, round.failing_facets);
     m_fewest_obstacles = (std::min)(m_fewest_obstacles, double(round.undecided_cells));
   }
   /// returns whether the last rounds made no progress
-  bool is_stalled() const { return m_rounds_in_vain >= m_tuning.max_rounds_in_vain; }
+  bool is_stalled() const { return m_stalled_rounds >= m_tuning.max_stalled_rounds; }
 
-  /// returns the cells of facets that have not reached the number of refinements allowed
+  /// returns the cells of the facets that may still cause refinement
   std::vector<std::uint32_t> cells_worth_refining(const std::vector<Sloping_facet>& facets) const
   {
     std::vector<std::uint32_t> cells;
@@ -95,7 +94,7 @@ public:
     for(std::uint32_t f : refined) ++m_refinements[f];
   }
 
-  /// classifies and records the obstacles of a round. Once gaps are found to be too narrow, they remain so.
+  /// classifies and records the obstacles of a round. Once gaps are considered too narrow, they remain so.
   /// \param cells number of cells with obstacles
   /// \param cells_at_mesh number of surface cells
   /// \param was_thick whether many cells were thick before corrections
@@ -123,7 +122,7 @@ private:
   std::vector<int> m_refinements; // by facet: how often it caused refinement
   double m_least_volume = std::numeric_limits<double>::infinity(), m_fewest_obstacles = m_least_volume;
   std::size_t m_fewest_facets = std::numeric_limits<std::size_t>::max();
-  int m_rounds_in_vain = 0;
+  int m_stalled_rounds = 0;
   bool m_were_very_many = false, m_are_gaps_narrow = false;
 };
 

@@ -24,13 +24,14 @@ struct Refinement_parameters
 {
   Energy_weights weights;
   Refinement_tuning tuning;
-  /// slope required on a facet, as a fraction of the best possible slope at its vertices (`vertex_cone_margin()`)
+  /// slope required across a facet, as a fraction of the largest slope that is possible at its vertices
+  /// (`vertex_cone_margin()`)
   double slope_fraction = 0.2;
   /// whether thresholds are constant and as tight as possible; the requested thickness bounds their difference
   bool constant_thresholds = false;
   std::size_t max_rounds = 24;
-  /// Limit of effort: the number of cells that are fitted in all rounds together. The default takes about a minute on
-  /// two cores, proofs included.
+  /// limit of effort: the largest number of cells fitted in all rounds together. The default takes about a minute on
+  /// two cores, including proofs.
   double max_cells = 1.5e6;
   double max_bytes = std::numeric_limits<double>::infinity(); ///< approximate limit
 

@@ -37,12 +37,11 @@ class Refinement_problem
 public:
   typedef Hierarchical_bspline_field_3<> Field;
 
-  /// returns the requested thickness near a point, user units
+  /// returns the requested thickness near a point, in the units of the coordinates
   typedef std::function<double(const Field::Point_3&)> Thickness;
   /// called at the beginning of each step; throws to cancel
   typedef std::function<void(Shell_step)> Start;
 
-  /// \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
   template <typename ConcurrencyTag>
   Refinement_problem(ConcurrencyTag, std::shared_ptr<const Input_mesh_3> mesh, const Any_signed_distance_3& distance,
                      const Thickness& thickness, const Any_spd_solver& solver, const Start& start,
@@ -52,7 +51,7 @@ public:
       wanted_slopes(Bspline_shells::wanted_slopes<ConcurrencyTag>(*input, parameters.slope_fraction))
   {}
 
-  /// returns half of the requested thickness at the center of a cell: the largest |f| on the mesh in it
+  /// returns half of the requested thickness at the center of a cell, which bounds |f| on the mesh in the cell
   double half_thickness(const Field& field, Field::Cell_index c) const
   {
     const Bbox_3 b = field.cell(c).bbox();
@@ -60,7 +59,7 @@ public:
            / 2;
   }
 
-  /// returns the local gap of the mesh; the first call builds it
+  /// returns the local gap of the mesh, which the first call builds
   const Local_gap_3& gap()
   {
     if(!m_gap) m_gap.emplace(*input);

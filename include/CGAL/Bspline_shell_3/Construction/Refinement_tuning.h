@@ -17,64 +17,67 @@ namespace Bspline_shells {
  * \brief tuned numbers of the refinement: when cells are split, and when the field is corrected instead.
  *
  * They affect time and the number of cells; no proof depends on them. A *surface cell* is a cell that the mesh
- * intersects. Fractions are stored as their reciprocals where they are compared with numbers of cells.
+ * intersects. Fractions that are compared with numbers of cells are stored as their reciprocals.
  */
 struct Refinement_tuning
 {
   /// \name Partial fits
   /// @{
 
-  /// Largest fraction of the cells that a partial fit may cover. A larger one takes as long as a full fit.
+  /// Largest fraction of the cells that a partial fit may cover. Beyond it, a partial fit takes as long as a full fit.
   double largest_part = 0.75;
   /// @}
 
   /// \name Corrections of slopes and values on the mesh (`Corrected_field`)
   /// @{
 
-  /// Number of times that a facet with a failing slope may cause refinement. Further refinement does not help.
+  /// Number of times that a facet with a failing slope may cause refinement. More refinement is not expected to help.
   int max_refinements_of_a_facet = 5;
-  /// No correction if conditions fail in more than 1/`violated_cells` of the surface cells, and in more than
-  /// `least_violated_cells`: the problem is not local, and splitting is faster.
+  /// If conditions fail in more than 1/`violated_cells` of the surface cells and in more than `least_violated_cells`,
+  /// the field is not corrected: the problem is not local, and splitting is faster.
   std::size_t violated_cells = 6, least_violated_cells = 64;
-  /// Number of times that the places that a correction leaves are added to the conditions.
+  /// Number of times that the places that still fail after a correction are added to the conditions.
   int max_slope_exchanges = 6;
-  /// Largest fraction of thick cells that an exchange may leave; otherwise cells are split. It does not apply to
-  /// `few_thick_cells` or fewer, for which a round would take longer.
+  /// Largest fraction of thick cells that an exchange may leave; otherwise, cells are split. The limit does not apply
+  /// to `few_thick_cells` or fewer, for which a round would take longer.
   double thick_cells_left = 0.5;
   std::size_t few_thick_cells = 2;
-  /// Factor on the required slope around cells whose conditions contradict each other, as along sharp fins.
+  /// Factor on the slope required around cells whose conditions contradict each other, as along sharp fins.
   double relaxed_slope = 0.5;
   /// @}
 
   /// \name Thick cells
-  /// A surface cell is *thick* if |f| may exceed half of the thickness on the mesh in it.
+  /// A surface cell is *thick* if |f| may exceed half the thickness on the mesh in it.
   /// @{
 
-  /// More than 1/`thick_cells` of the surface cells, or more than `most_thick_cells`, are split. Fewer are corrected,
-  /// at some milliseconds a cell.
+  /// If more than 1/`thick_cells` of the surface cells, or more than `most_thick_cells`, are thick, they are split.
+  /// Otherwise, they are corrected, which takes some milliseconds per cell.
   std::size_t thick_cells = 8, most_thick_cells = 1000;
   /// If more than 1/`many_thick_at_first` of the surface cells are thick before corrections, these cells are split
   /// when thresholds have many obstacles later.
   std::size_t many_thick_at_first = 24;
-  /// Fraction of half the thickness above which |f| makes a cell nearly thick: it would be thick in the next round.
+  /// Fraction of half the thickness above which |f| makes a cell nearly thick. Such a cell is often thick in the next
+  /// round.
   double nearly_thick = 0.8;
-  /// Fraction of half the thickness that corrections aim at.
+  /// Fraction of half the thickness at which corrections aim.
   double size_aimed_at = 0.95;
   /// @}
 
   /// \name Obstacles to thresholds
   /// @{
 
-  /// Obstacles in more than 1/`many_obstacles` of the surface cells, and in more than `least_many_obstacles`, are many.
+  /// There are many obstacles if they are in more than 1/`many_obstacles` of the surface cells and in more than
+  /// `least_many_obstacles`.
   std::size_t many_obstacles = 128, least_many_obstacles = 100;
-  /// Walls or gaps count as too narrow for the shell if more than 1/`cells_of_thin` of the surface cells have
+  /// Walls or gaps are considered too narrow for the shell if more than 1/`cells_of_thin` of the surface cells have
   /// obstacles, or more than 1/`cells_of_nearly_thin` in two successive rounds with many obstacles.
   std::size_t cells_of_thin = 5, cells_of_nearly_thin = 12;
   /// If more than 1/`cells_to_split_alone` of the surface cells have obstacles, they are split without neighbors.
   std::size_t cells_to_split_alone = 38;
-  /// Number of cells with obstacles up to which only their face neighbors are split with them.
+  /// Up to this number of cells with obstacles, only their face neighbors are split with them.
   std::size_t few_obstacles = 8;
-  /// Number of times that the field is corrected at obstacles, and the largest fraction of them that this may leave.
+  /// Number of times that the field is corrected at obstacles, and the largest fraction of them that a correction may
+  /// leave.
   int max_obstacle_exchanges = 3;
   double obstacles_left = 0.75;
   /// @}
@@ -82,24 +85,24 @@ struct Refinement_tuning
   /// \name Narrow walls and gaps
   /// @{
 
-  /// Fraction of an obstacle's value that |f| may reach on the mesh nearby without its cell being split.
+  /// Fraction of an obstacle's value that |f| may reach on the mesh nearby before the cell there is split.
   double most_at_obstacles = 0.7;
-  /// Fraction of half the thickness below which |f| on the mesh is ignored, as in the middle of walls.
+  /// Fraction of half the thickness below which |f| on the mesh is ignored, for example in the middle of walls.
   double considerable = 1e-3;
   /// Factor on the weight of the surface term of the energy near obstacles.
   double weight_near_obstacles = 20;
-  /// Largest number of halvings of a cell in one round.
+  /// Largest number of times that a cell is split in one round.
   int max_halvings = 2;
-  /// Rings of cells that are split around a split cell.
+  /// Layers of cells that are split around a split cell.
   int rings = 1;
   /// @}
 
   /// \name End of the refinement
   /// @{
 
-  /// Number of successive rounds without progress after which refinement ends. A round makes progress if it reduces
-  /// the volume or the number of obstacles below `progress` times the least so far.
-  int max_rounds_in_vain = 4;
+  /// Number of successive rounds without progress after which refinement ends. A round makes progress if it reduces the
+  /// volume or the number of obstacles below `progress` times the smallest one so far.
+  int max_stalled_rounds = 4;
   double progress = 0.9;
   /// @}
 };

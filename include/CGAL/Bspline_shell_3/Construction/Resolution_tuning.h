@@ -12,13 +12,14 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Construction
-/// \brief tuned numbers of `choose_resolution()`. They affect time and the number of cells only. A *resolution* is a
-/// number of root cells per longest side of the mesh's bounding box.
+/// \brief tuned numbers of `choose_resolution()`. They affect time and the number of cells only. A *resolution* is the
+/// number of root cells along the longest side of the mesh's bounding box.
 struct Resolution_tuning
 {
-  /// Resolutions to try, coarsest first. The finest one is used if the others are rejected.
+  /// Resolutions to try, coarsest first. The finest is used if the others are rejected.
   double coarsest = 20, middle = 24, finest = 30;
-  /// Largest width of a cell, in thicknesses. A field on wider cells does not follow the mesh closely enough anywhere.
+  /// Largest width of a cell, in multiples of the thickness. A field on wider cells does not follow the mesh closely
+  /// enough anywhere.
   double widest_cell = 5.5;
   /// The mesh is bent, or folded, in a cell if its mean normal there is shorter than this.
   double bent = 0.9, folded = 0.7;

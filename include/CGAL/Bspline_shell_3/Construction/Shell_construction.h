@@ -31,13 +31,12 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief the part that all constructions of shells share: the checked mesh, the lattice of cells, and a report with the
- * time of each step.
+ * \brief the common part of the two constructions of shells: the checked mesh, the lattice of cells, and a report with
+ * the time of each step.
  */
 class Shell_construction
 {
 public:
-  /// \tparam Visitor a model of `ShellVisitor`
   /// \param max_seconds time limit of `run()`, measured from now on
   /// \pre `visitor` outlives this object
   template <typename Visitor>
@@ -82,9 +81,9 @@ public:
   }
 
   /// tests the arithmetic, copies the mesh and checks it.
-  /// \param np `vertex_point_map`, `allow_self_intersections` and `allow_singular_vertices` as for `bspline_shell_3()`
+  /// \param np `vertex_point_map`, `allow_self_intersections`, and `allow_singular_vertices` as for `bspline_shell_3()`
   /// \param closer closes open meshes, which are rejected without it
-  /// \param truncator truncates vertices whose facets face no common direction
+  /// \param truncator truncates singular and nearly singular vertices
   template <typename ConcurrencyTag, typename PolygonMesh, typename NP>
   Shell_status check(const PolygonMesh& mesh, const NP& np, const Input_mesh_3::Closer& closer = Input_mesh_3::Closer(),
                      const Input_mesh_3::Truncator& truncator = Input_mesh_3::Truncator())

@@ -27,14 +27,12 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief thresholds of a shell that vary in space: as wide as requested, narrower where required, but never narrower
- * than the mesh allows.
+ * \brief thresholds of a shell that vary in space: minus and plus half the requested thickness, closer to zero where
+ * required, but never closer than the values of the field on the mesh.
  *
  * A threshold is a spline on the cells of the field. If all coefficients that act on a cell lie beyond the values of
- * the field on the mesh in that cell, so does the threshold. This bound on a coefficient is what the mesh *requires*. A
- * cap keeps the threshold below a value in a cell; from there, the threshold rises with a bounded slope.
- *
- * \tparam Field `Hierarchical_bspline_field_3`
+ * the field on the mesh in that cell, so does the threshold; the mesh *requires* this bound on the coefficients. A
+ * *cap* keeps the threshold below a value in a cell; from there, the threshold rises with a bounded slope.
  */
 template <typename Field>
 class Shell_thresholds_3
@@ -42,8 +40,8 @@ class Shell_thresholds_3
   typedef typename Field::Cell_index Index;
 public:
   /// \param field the field; its values are not used
-  /// \param thickness the requested thickness, half of it on either side: a function of points, user units
-  /// \param slope slope of a threshold beyond a cap; less than the slope of the field, which is about one
+  /// \param thickness the requested thickness as a function of points, in the units of the coordinates
+  /// \param slope slope of a threshold around a cap; less than the slope of the field, which is about one
   /// \pre `field` outlives this object
   template <typename Thickness>
   Shell_thresholds_3(const Field& field, const Thickness& thickness, double slope = 0.2)
@@ -78,7 +76,7 @@ public:
       for(Index row : m_field->coefficient_rows(c))
         for(Index n = row; n < row + 4; ++n) include(at_points[n], { -range.min, range.max });
     }
-    // Points without a coefficient pass their requirements on to the coefficients that they depend on.
+    // Points without a coefficient pass their requirements on to the coefficients on which they depend.
     std::vector<Pair> needed(m_field->number_of_coefficients(), Pair{ none, none });
     for(int level = 0; level < m_field->number_of_levels(); ++level)
       for(Index n = 0; n < m_field->points(level).size(); ++n) {
@@ -93,7 +91,7 @@ public:
       for(int side = 0; side < 2; ++side) m_needed[side][Eigen::Index(u)] = needed[u][side];
   }
 
-  /// sets both thresholds to constant levels
+  /// sets the two thresholds to constants
   void set_constant(const Level_range& levels)
   {
     for(int side = 0; side < 2; ++side) {
@@ -103,7 +101,7 @@ public:
   }
 
   /// returns the value that the mesh requires in a cell: a lower bound of the outer threshold, or an upper bound of the
-  /// inner one
+  /// inner threshold
   double needed(Index cell, Sign side) const
   {
     double most = -std::numeric_limits<double>::infinity();
@@ -118,15 +116,15 @@ public:
     Index cell;
     Sign side;
     Bbox_3 core; ///< box of the centers of all functions that act on the cell
-    double size; ///< bound on the size of the threshold there
+    double size; ///< bound on the absolute value of the threshold there
   };
 
-  /// bounds the outer threshold in a cell from above by `level`, or the inner one from below, within the limits that
-  /// the mesh imposes
+  /// bounds the outer threshold in a cell from above by `level`, or the inner threshold from below, as far as the mesh
+  /// permits
   void cap(Index cell, Sign side, double level)
   {
-    // Distances are measured from the centers of functions, whatever their supports, to the box of the centers of all
-    // functions that act on the cell.
+    // Distances are measured from the centers of functions of all sizes to the box of the centers of all functions that
+    // act on the cell.
     Bbox_3 core = m_field->cell(cell).bbox();
     m_field->visit_coefficients(cell, [&](int, Index u, double) {
       const Bbox_3 s = m_field->support(u);
@@ -136,7 +134,7 @@ public:
     cap(Cap{ cell, side, core, side == POSITIVE ? level : -level });
   }
 
-  /// adds a cap, for example of thresholds on other cells; linear in the number of functions near it
+  /// adds a cap, for example of thresholds on other cells; takes time linear in the number of functions near it
   void cap(const Cap& cap)
   {
     const double reach = (m_highest - cap.size) / m_slope;

@@ -25,12 +25,12 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief a place that no threshold can exclude from the shell.
+ * \brief a place that thresholds must exclude from the shell, but cannot, because |f| on the mesh nearby is too large.
  */
 struct Threshold_obstacle
 {
   std::uint32_t cell;
-  std::array<double, 3> point; ///< user units
+  std::array<double, 3> point; ///< in the units of the coordinates
   Sign side = ZERO;            ///< side of the threshold; `ZERO` if the field may be zero at the place
   double size = 0;             ///< upper bound on the threshold's magnitude
 };
@@ -48,23 +48,19 @@ inline std::vector<std::uint32_t> cells_of(const std::vector<Threshold_obstacle>
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief returns the cells where the field is so large on the mesh that thresholds cannot pass obstacles.
+ * \brief returns the cells where |f| on the mesh is so large that thresholds cannot exclude the obstacles.
  *
- * Thresholds are splines on the same cells. All cells in the supports of the functions that act on an obstacle's cell
- * are therefore examined. If none of them qualifies, the obstacle's cell itself is returned. In the middle of a thin
- * wall the field is near zero; the cells that keep the threshold away are at the rim, some cells away.
+ * Thresholds are splines on the same cells, so all cells in the supports of the functions that act on an obstacle's
+ * cell are examined. In the middle of a thin wall, for example, the field is near zero, and the cells with large values
+ * are at its rim, some cells away. If no cell qualifies, the obstacle's cell itself is returned.
  *
- * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
- * \tparam Field `Hierarchical_bspline_field_3`
- * \param field the field whose cells are examined
  * \param ranges enclosures of the field on the part of the mesh in each cell
- * \param obstacles the obstacles
- * \param part largest allowed size of the field on the mesh, as a fraction of an obstacle's size
+ * \param part largest allowed |f| on the mesh, as a fraction of an obstacle's size
  * \return the cells, ascending
  */
 template <typename ConcurrencyTag, typename Field>
 std::vector<std::uint32_t> causing_cells_of(const Field& field, const std::vector<Level_range>& ranges,
-                                       const std::vector<Threshold_obstacle>& obstacles, double part)
+                                            const std::vector<Threshold_obstacle>& obstacles, double part)
 {
   typedef typename Field::Cell_index Index;
   constexpr std::size_t chunk = 16;
@@ -73,7 +69,7 @@ std::vector<std::uint32_t> causing_cells_of(const Field& field, const std::vecto
       const Threshold_obstacle& o = obstacles[n];
       const std::size_t before = found.size();
       if(o.side != ZERO) {
-        // Shrink the box of all supports to skip cells that only touch it.
+        // The box of all supports is shrunk to skip cells that only touch it.
         Bbox_3 b = field.cell(o.cell).bbox();
         field.visit_coefficients(o.cell, [&](int, Index u, double) { b += field.support(u); });
         const double inside = field.cells().width(o.cell) / 64;

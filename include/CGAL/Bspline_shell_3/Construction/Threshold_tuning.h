@@ -16,18 +16,20 @@ namespace Bspline_shells {
 /// thickness of shells only.
 struct Threshold_tuning
 {
-  /// Number of passes if there are many obstacles: the cells there are refined in any case.
+  /// Number of passes if there are many obstacles, because the cells there are split in any case.
   int max_passes_of_many = 2;
-  /// A cap is useful if it is less than this fraction of the available room.
+  /// A cap is useful if the mesh requires less than this fraction of the room and, in a coarse box, the cap is at most
+  /// this fraction of the threshold.
   double useful_cap = 0.98;
   /// A place is tight if the mesh requires more than this fraction of the room.
   double tight = 0.7;
-  /// Boxes with at most this number of halvings of a cell are coarse: the cover ran out of boxes.
+  /// Boxes after at most this number of subdivisions of a cell are coarse: the cover ran out of boxes.
   int coarse_depth = 3;
-  /// Ranges on the mesh: largest number of halvings of the edges of a piece for values on grids (a third halving would
-  /// take 30 values), and for bounds on parts of a piece. Each halving reduces the excess of a bound to a quarter.
+  /// Ranges on the mesh: largest number of bisections of the edges of a piece for values on grids (a third bisection
+  /// would take 30 values), and for bounds on parts of a piece. Each bisection reduces the excess of a bound to a
+  /// quarter.
   int max_grid_halvings = 2, max_range_depth = 5;
-  /// A point may stand for the worst one if its value is at least this fraction of the largest possible value.
+  /// A point may represent the worst point if its value is at least this fraction of the largest possible value.
   double nearly_largest = 0.95;
   /// Excess of a bound, relative to the allowed size, below which the bound is not improved.
   double range_excess = 0.004;

@@ -22,8 +22,8 @@
 namespace CGAL {
 
 /// \ingroup PkgBsplineShell3Ref
-/// the type of shell that `certified_bspline_shell_3()` builds: with a hierarchy of cells and thresholds that vary in
-/// space
+/// the type of shell that `certified_bspline_shell_3()` builds, with a hierarchy of cells and thresholds that vary in
+/// space. An object of this type need not be certified (`Bspline_shell_3::is_certified()`).
 typedef Bspline_shell_3<Bspline_shells::Hierarchical_bspline_field_3<>,
                         Bspline_shells::Spline_threshold<Bspline_shells::Hierarchical_bspline_field_3<> > >
   Certified_bspline_shell_3;
@@ -37,26 +37,26 @@ namespace Bspline_shells {
  */
 struct Certified_shell_parameters
 {
-  /// root cells per longest side of the mesh's bounding box; if not set, `choose_resolution()`, or the finest with
-  /// `sizing`
+  /// root cells along the longest side of the mesh's bounding box; if not set, `choose_resolution()`, or the finest
+  /// resolution if `sizing` is set
   std::optional<double> resolution;
   double relative_thickness = 0.01; ///< fraction of the longest side of the mesh's bounding box
-  double least_cone_margin = 0.01;  ///< vertices with a smaller margin are truncated
-  std::optional<double> thickness;  ///< used instead of `relative_thickness`, user units
-  /// the thickness near a point, used instead of `relative_thickness`, user units
+  double least_cone_margin = 0.01;  ///< vertices with a smaller cone margin are truncated
+  std::optional<double> thickness;  ///< in the units of the coordinates; used instead of `relative_thickness`
+  /// returns the largest thickness near a point, in the units of the coordinates; used instead of the two above
   std::function<double(const Certified_bspline_shell_3::Point_3&)> sizing;
   Refinement_parameters refinement;
 
   double largest_thickness(double unit) const { return thickness ? *thickness : relative_thickness * unit; }
-  /// returns the distance of back sheets from open meshes: large enough for a shell of full thickness without small
-  /// cells in between
+  /// returns the distance of back sheets from open meshes, which leaves room for a shell of full thickness without
+  /// small cells
   double closing_offset(double unit) const
   {
     constexpr double thicknesses = 3;
     return thicknesses * largest_thickness(unit);
   }
-  /// returns the largest radius of a truncation around a vertex: much less than the possible distance of images from
-  /// points
+  /// returns the largest radius of a truncation around a vertex, which is small compared to the possible distance
+  /// between points and images
   static double largest_tip(double thickness)
   {
     constexpr double part = 1. / 8;
@@ -80,12 +80,10 @@ struct Certified_shell_parameters
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief builds a certified shell of a checked mesh, as `certified_bspline_shell_3()` describes it.
+ * \brief builds a shell of a checked mesh as described for `certified_bspline_shell_3()`. The oracle, if set, is used
+ * instead of the signed distance to the mesh. Not a template of mesh, oracle, and solver, so that the library can
+ * contain compiled instances.
  *
- * \param construction the construction, which has checked the mesh
- * \param parameters the parameters
- * \param oracle the signed distance that the field is fitted to; if not set, the distance to the mesh
- * \param solver any model of `SPDSolver`
  * \pre the parameters are valid
  */
 template <typename ConcurrencyTag>
@@ -97,7 +95,7 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief builds a certified shell with the default solver.
+ * \brief builds a shell of a checked mesh with the default solver.
  */
 template <typename ConcurrencyTag>
 Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction,

@@ -56,7 +56,7 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
   const std::optional<Lattice_3> lattice = construction.choose_lattice(input->unit() / resolution);
   if(!lattice) return stop(Status::GRID_TOO_FINE);
   std::atomic<bool> is_thickness_valid(true); // read and written by several threads
-  double invalid_thickness = 0;               // written by one of them
+  double invalid_thickness = 0;               // written by one thread
   const Refinement_problem::Thickness thickness = [&](const Shell::Point_3& p) -> double {
     if(!parameters.sizing) return largest_thickness;
     const double t = parameters.sizing(p);
@@ -64,8 +64,8 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
     if(is_thickness_valid.exchange(false)) invalid_thickness = t;
     return largest_thickness; // without effect: the construction fails
   };
-  // Room for the shell and a margin, as the shell is thicker at edges. A field that is fitted to another distance may
-  // take any value between the thresholds on the mesh. The thicknesses of a sizing field are not known yet.
+  // Room for the shell and a margin, because the shell is thicker at edges. On the mesh, a field that is fitted to the
+  // caller's distance may have any value between the thresholds. The values of a sizing field are not known yet.
   constexpr double thickest = 20, more = 0.3; // cells
   const double spacing = lattice->spacing();
   if(!parameters.sizing) {

@@ -27,10 +27,10 @@ namespace Bspline_shells {
  */
 struct Uniform_shell_parameters
 {
-  double resolution = 50;        ///< cells per longest side of the mesh's bounding box
-  std::optional<double> spacing; ///< edge length of a cell in user units, used instead of `resolution`
-  std::optional<int> rings; ///< rings of cells around the cells that the mesh intersects; if not set, as many as needed
-  bool dense = false;       ///< whether all cells of the mesh's bounding box and rings around it are used
+  double resolution = 50;        ///< cells along the longest side of the mesh's bounding box
+  std::optional<double> spacing; ///< edge length of a cell, used instead of `resolution`
+  std::optional<int> rings;      ///< layers of cells around the cells that the mesh intersects; if not set, as needed
+  bool dense = false;            ///< whether all cells of the mesh's bounding box and layers around it are used
   Energy_weights weights;
   double max_bytes = std::numeric_limits<double>::infinity(); ///< approximate limit
   bool allow_open_shell = false;
@@ -51,12 +51,10 @@ struct Uniform_shell_parameters
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief builds a shell of a checked mesh on equal cells, as `bspline_shell_3()` describes it.
+ * \brief builds a shell of a checked mesh as described for `bspline_shell_3()`. The oracle, if set, is used instead of
+ * the signed distance to the mesh. Not a template of mesh, oracle, and solver, so that the library can contain compiled
+ * instances.
  *
- * \param construction the construction, which has checked the mesh
- * \param parameters the parameters
- * \param oracle the signed distance that the field is fitted to; if not set, the distance to the mesh
- * \param solver any model of `SPDSolver`
  * \pre the parameters are valid
  */
 template <typename ConcurrencyTag>
@@ -66,7 +64,7 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief builds a shell with the default solver.
+ * \brief builds a shell of a checked mesh with the default solver.
  */
 template <typename ConcurrencyTag>
 Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Uniform_shell_parameters& parameters,

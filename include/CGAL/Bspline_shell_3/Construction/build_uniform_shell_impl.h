@@ -45,7 +45,7 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// Returns the cells of the mesh's bounding box and `rings` more on each side.
+// Returns the cells of the mesh's bounding box and of `rings` layers on each side.
 inline std::vector<std::uint64_t> box_cells(const Lattice_3& lattice, const Bbox_3& box, int rings)
 {
   Lattice_3::Point first, last;
@@ -60,7 +60,7 @@ inline std::vector<std::uint64_t> box_cells(const Lattice_3& lattice, const Bbox
   return keys;
 }
 
-// Adds rings of cells around some cells of the field.
+// Adds layers of cells around the given cells of the field.
 template <typename Field>
 void widen(const Field& field, const std::vector<typename Field::Cell_index>& cells, int rings,
            std::vector<std::uint64_t>& keys)
@@ -102,7 +102,7 @@ inline std::vector<double> merge_samples(const Cell_complex_3& cells, const Cell
   return samples;
 }
 
-// Copies the coefficients of a field on fewer cells, in cell units.
+// Copies the coefficients of a field on fewer cells, and converts them to cell units.
 template <typename Field>
 void take_over_coefficients(const Field& from, const Field& to, Eigen::VectorXd& guess)
 {
@@ -114,8 +114,8 @@ void take_over_coefficients(const Field& from, const Field& to, Eigen::VectorXd&
 }
 
 // Returns the approximate peak memory of a shell in bytes, which is reached in the solver. Per cell: the samples,
-// Bernstein coefficients and lookups. Per unknown: a column of the matrix with up to 172 entries of 12 bytes (twice
-// while a term is added to a copy), its share of the preconditioner's blocks, and the solver's vectors. Per piece: its
+// Bernstein coefficients, and lookups. Per unknown: a column of the matrix with up to 172 entries of 12 bytes (twice
+// while a term is added to a copy), a share of the preconditioner's blocks, and the solver's vectors. Per piece: its
 // points and quadrature points.
 inline double estimated_bytes(double cells, double unknowns, double pieces, bool copies_matrix)
 {
@@ -156,7 +156,7 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
   const std::vector<std::uint64_t> surface_keys = cells_entered_by_mesh<ConcurrencyTag>(input, lattice);
   report.surface_cells = surface_keys.size();
 
-  // Check lower bounds on the numbers of cells and unknowns before the cells are listed.
+  // Checks lower bounds on the number of cells and unknowns before the cells are listed.
   const Bbox_3 box = input.bbox();
   double at_least = parameters.dense ? 1 : (std::max)(double(surface_keys.size()), std::pow(2. * rings + 1, 3));
   for(int a = 0; parameters.dense && a < 3; ++a)
@@ -167,7 +167,7 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
                                                      : dilate(surface_keys, -rings, rings);
 
   std::optional<Mesh_signed_distance_3> mesh_distance;
-  constexpr int max_widenings = 5; // by 2, 3, ..., 6 rings: 20 cells in total
+  constexpr int max_widenings = 5; // by 2, 3, ..., 6 layers: 20 cells in total
   std::optional<Field> narrower;   // the field before the last widening
   std::vector<double> samples;
   for(;; ++report.widenings) {

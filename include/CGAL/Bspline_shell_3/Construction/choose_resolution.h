@@ -28,20 +28,16 @@ namespace Bspline_shells {
  */
 struct Bend_shares
 {
-  double bent = 0; ///< cells with a mean normal shorter than 0.9: edges of 50 degrees and more
-  /// cells with a mean normal shorter than 0.7: sharper edges, tips, and walls that are thinner than cells
+  double bent = 0; ///< cells with a mean normal shorter than 0.9, as at edges of 50 degrees and more
+  /// cells with a mean normal shorter than 0.7, as at sharper edges, tips, and walls thinner than the cell
   double folded = 0;
 };
 
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief returns the fractions of the surface cells in which a mesh is far from flat.
- *
- * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
- * \param mesh the mesh
- * \param lattice the lattice of the cells
- * \cgalHeading{Cost} Linear in the number of pieces into which the cells cut the mesh.
+ * \brief returns the fractions of the surface cells in which a mesh is far from flat; takes time linear in the number
+ * of pieces into which the cells cut the mesh.
  */
 template <typename ConcurrencyTag>
 Bend_shares bend_shares(const Input_mesh_3& mesh, const Lattice_3& lattice)
@@ -73,16 +69,14 @@ Bend_shares bend_shares(const Input_mesh_3& mesh, const Lattice_3& lattice)
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief returns the number of root cells per longest side of a mesh's bounding box with which refinement should begin:
- * 30, or fewer if most of the mesh is nearly flat in wider cells.
+ * \brief returns the number of root cells along the longest side of a mesh's bounding box with which refinement should
+ * begin: 30, or 24 or 20 if most of the mesh is nearly flat in wider cells.
  *
- * If cells are five times as wide as the shell is thick, a field follows a mesh closely enough except at bends. A few
- * bends are handled by local corrections (`Certified_refinement`). Otherwise, cells would have to be halved together
- * with their neighbors, and slightly more cells of equal size are cheaper.
+ * If the width of cells is five times the thickness of the shell, a field follows a mesh closely enough except at
+ * bends. Local corrections (`Certified_refinement`) suffice for a few bends. At many bends, cells would have to be
+ * split together with their neighbors, and slightly more root cells take less time.
  *
- * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
- * \param mesh the mesh
- * \param thickness thickness of the shell, user units
+ * \param thickness thickness of the shell, in the units of the coordinates
  */
 template <typename ConcurrencyTag>
 double choose_resolution(const Input_mesh_3& mesh, double thickness)

@@ -21,7 +21,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief a facet that a field is not proved to cross upwards, and a point where the proof fails.
+ * \brief a facet that is not proved to face along the gradient of a field, and a point where the proof fails.
  */
 struct Facet_failure
 {
@@ -33,11 +33,9 @@ struct Facet_failure
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief returns the chosen facets of a mesh that a field is not proved to cross upwards
+ * \brief returns those of the chosen facets of a mesh that are not proved to face along the gradient of a field
  * (`Field_predicates_3::crosses_upwards()`).
  *
- * \param field the field
- * \param input the mesh
  * \param chosen for each facet, whether to test it
  */
 template <typename ConcurrencyTag, typename Field>

@@ -24,12 +24,9 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief returns the least gap (`Local_gap_3`) of the part of a mesh in a cell, user units; `most` if the gap is larger
- * or the cell does not contain a part of the mesh.
+ * \brief returns the smallest gap (`Local_gap_3`) of the part of a mesh in a cell, in the units of the coordinates;
+ * `most` if the gap is larger or the cell does not contain a part of the mesh.
  *
- * \param gap the local gap of the mesh
- * \param clipped the mesh, clipped to cells
- * \param c a cell
  * \param side of the mesh, as for `Local_gap_3`
  * \param most larger gaps are not searched
  */
@@ -51,7 +48,7 @@ inline double gap_in_cell(const Local_gap_3& gap, const Clipped_mesh_3& clipped,
 }
 
 /// \ingroup PkgBsplineShell3Construction
-/// returns the least gap on both sides: the narrowest wall or gap in a cell
+/// returns the smaller of the gaps on the two sides: the narrowest wall or gap in a cell
 inline double gap_in_cell(const Local_gap_3& gap, const Clipped_mesh_3& clipped, Cell_hierarchy_3::Index c, double most)
 {
   return gap_in_cell(gap, clipped, c, POSITIVE, gap_in_cell(gap, clipped, c, NEGATIVE, most));

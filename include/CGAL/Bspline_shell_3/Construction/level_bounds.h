@@ -74,7 +74,7 @@ public:
     m_curvature = 2 * h.size();
   }
 
-  // Returns how far the field may be below its least value at a corner, and above its largest one.
+  // Returns how far the field may be below its smallest value at a corner, and above its largest value at a corner.
   std::pair<double, double> excess(const std::vector<std::array<double, 3> >& corners, double shift) const
   {
     double up = 0, down = 0;
@@ -91,8 +91,8 @@ public:
         up = (std::max)(up, q_up);
         down = (std::max)(down, q_down);
       }
-    // Corners are off by `shift` and their differences by twice as much; both are shorter than two. This exceeds the
-    // rounding errors of the products.
+    // Corners have errors of up to `shift`, and their differences of twice as much; both are shorter than two. The term
+    // exceeds the rounding errors of the products.
     const double n = double(corners.size()), part = (n - 1) / (4 * n), error = 4 * m_curvature * shift;
     return { (1 + 8 * rounding) * (part * up + error), (1 + 8 * rounding) * (part * down + error) };
   }
@@ -128,11 +128,12 @@ struct Subtriangle
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief returns the extrema of a field on the edges of the clipped mesh, as computed in the paper (Section 4.2).
+ * \brief returns the extrema of a field on the edges of the clipped mesh, as in \cgalCite{CubicBsplineShell2025}
+ * (Section 4.2).
  *
  * On an edge, the field is a polynomial of degree nine, and its extrema are found by bisection (`bernstein_range()`).
- * Edges whose Bernstein coefficients lie within the range found so far are skipped. The result is not a bound of the
- * field on facets, since its extrema may lie in their interior (see `facet_ranges()`).
+ * Edges whose Bernstein coefficients lie within the range found so far are skipped. The result does not bound the field
+ * on facets, because its extrema may lie in their interior (see `facet_ranges()`).
  */
 template <typename ConcurrencyTag, typename Field>
 Level_range edge_range(const Field& field, const Clipped_mesh_3& clipped)
@@ -168,7 +169,7 @@ Level_range edge_range(const Field& field, const Clipped_mesh_3& clipped)
 struct Facet_ranges
 {
   std::vector<Level_range> facet; ///< coarse enclosure of the field on each triangle
-  /// coarse enclosure of the field on the part of the mesh in each cell; empty if there is none
+  /// coarse enclosure of the field on the part of the mesh in each cell; empty if the cell has no part of the mesh
   std::vector<Level_range> cell;
   Level_range mesh; ///< enclosure of the field on the mesh, up to the tolerance
 };
@@ -179,8 +180,8 @@ struct Facet_ranges
  * \brief returns enclosures of a field on facets, with a derived allowance for rounding.
  *
  * The bounds use values at corners and second derivatives where these suffice, and Bernstein coefficients of degree
- * nine on triangles otherwise. The enclosure on the mesh is refined by subdivision where it is decisive, until it
- * exceeds attained values by at most `tolerance` times their range.
+ * nine on triangles otherwise. Where they determine the enclosure on the mesh, they are improved by subdivision, until
+ * this enclosure exceeds attained values by at most `tolerance` times their range.
  */
 template <typename ConcurrencyTag, typename Field>
 Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, double tolerance = 1e-7)
@@ -239,7 +240,7 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
         const Level_range range = { *hull.first - in->error, *hull.second + in->error };
         if(t.depth == 0) piece_range[n].include(range);
         const double slack = tolerance * (found.max - found.min) + 2 * in->error;
-        // written such that the search ends if bounds are NaN
+        // written such that the search ends if a bound is NaN
         if(!(range.max > found.max + slack || range.min < found.min - slack) || t.depth == max_depth) {
           bound.include(range);
           continue;
@@ -263,15 +264,16 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief rounds a range outwards to multiples of `quantum`. The unit of length divided by the quantum is the paper's
- * \f$\tau\f$ (Section 5.2). Rounding errors of the multiples never shrink the range.
+ * \brief rounds a range outward to multiples of `quantum`. The box size divided by the quantum is \f$\tau\f$ in
+ * \cgalCite{CubicBsplineShell2025} (Section 5.2). Rounding errors of the multiples never shrink the range.
  */
 inline Level_range round_outwards(const Level_range& range, double quantum)
 {
   Level_range r;
   r.min = std::floor(range.min / quantum) * quantum;
   r.max = std::ceil(range.max / quantum) * quantum;
-  // If a quotient overflows, the number itself is a multiple of so small a quantum. Quotients may also underflow.
+  // If a quotient overflows, the quantum is so small that the number itself is a multiple of it. Quotients may also
+  // underflow.
   if(!std::isfinite(r.min)) r.min = range.min;
   if(!std::isfinite(r.max)) r.max = range.max;
   if(r.min == 0 && range.min < 0) r.min = -quantum;

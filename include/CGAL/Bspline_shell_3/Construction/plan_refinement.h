@@ -27,15 +27,15 @@ struct Round_findings
 {
   typedef Cell_hierarchy_3::Index Index;
 
-  std::vector<Index> facets_to_steepen;        ///< cells with failing slopes after corrections
-  std::vector<Index> thick;          ///< thick cells after corrections
-  bool are_many_thick = false;       ///< whether they are too many for corrections
-  std::vector<Index> thick_at_first; ///< thick and nearly thick cells before corrections, if many were thick
+  std::vector<Index> cells_with_small_slopes; ///< cells in which slopes still fail after corrections
+  std::vector<Index> thick;                   ///< thick cells after corrections
+  bool are_many_thick = false;                ///< whether there are too many of them for corrections
+  std::vector<Index> thick_at_first;          ///< thick and nearly thick cells before corrections, if many were thick
   std::vector<Threshold_obstacle> obstacles;
   Obstacle_kind kind = Obstacle_kind::FEW; ///< kind of the obstacles
-  std::vector<Index> causing_cells;             ///< at narrow gaps: cells where the field leaves no room for thresholds
+  std::vector<Index> causing_cells;        ///< at narrow gaps: cells where |f| leaves no room for thresholds
   std::vector<Index> similar;              ///< cells that are similar to causing_cells (`similar_cells()`)
-  std::vector<Index> two_sheets;           ///< cells in which an integral curve meets the mesh twice
+  std::vector<Index> two_sheets;           ///< cells where two components of the mesh share a component of the shell
 };
 
 /*!
@@ -47,10 +47,10 @@ struct Refinement_plan
 {
   typedef Cell_hierarchy_3::Index Index;
 
-  std::vector<Index> split;          ///< cells to split, ascending; empty if none can be split
-  std::vector<Index> at_gaps;        ///< cells to split repeatedly where gaps are far narrower than the cell
-  std::vector<Index> similar;        ///< cells to split as well, if the limits allow it
-  std::vector<Index> with_larger_weights; ///< cells in which later fits get a larger weight of the surface term
+  std::vector<Index> split;               ///< cells to split, ascending; empty if none can be split
+  std::vector<Index> at_gaps;             ///< cells to split repeatedly where gaps are far narrower than the cell
+  std::vector<Index> similar;             ///< cells to split as well, if the limits allow it
+  std::vector<Index> with_larger_weights; ///< cells with a larger weight of the surface term in later fits
 };
 
 /*!
@@ -58,13 +58,10 @@ struct Refinement_plan
  *
  * \brief returns the cells to split after a round.
  *
- * Around failing slopes and few obstacles, neighbors of the same size are split, too: splitting a single cell gives the
- * field little freedom. If many cells fail, they are split alone.
+ * Around failing slopes and few obstacles, neighbors of the same size are split as well, because splitting a single
+ * cell gives the field little freedom. If many cells fail, they are split alone.
  *
- * \param cells the cells of the round
- * \param found what failed in it
  * \param cells_at_mesh number of surface cells
- * \param tuning thresholds of the decisions
  */
 inline Refinement_plan plan_refinement(const Cell_hierarchy_3& cells, const Round_findings& found,
                                        std::size_t cells_at_mesh, const Refinement_tuning& tuning)
@@ -80,7 +77,7 @@ inline Refinement_plan plan_refinement(const Cell_hierarchy_3& cells, const Roun
     for(Index c : chosen) marked.mark_widely(c, axes);
   };
 
-  mark_widely(found.facets_to_steepen, all_axes);
+  mark_widely(found.cells_with_small_slopes, all_axes);
   if(found.are_many_thick) {
     mark(found.thick);
     mark(found.thick_at_first);
@@ -92,7 +89,7 @@ inline Refinement_plan plan_refinement(const Cell_hierarchy_3& cells, const Roun
     case Obstacle_kind::THICK_FIELD: mark(found.thick_at_first); break;
     case Obstacle_kind::NARROW_GAPS:
       mark(found.causing_cells);
-      if(marked.empty()) mark_widely(obstacles, all_axes); // causing_cells have the least size
+      if(marked.empty()) mark_widely(obstacles, all_axes); // causing_cells cannot be split further
       plan.at_gaps = found.causing_cells;
       plan.similar = found.similar;
       plan.with_larger_weights = found.causing_cells;

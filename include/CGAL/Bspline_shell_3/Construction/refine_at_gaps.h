@@ -25,7 +25,7 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// Returns a box that meets all leaves in a cell that is halved a few times, and no other leaves.
+// Returns a box that meets all leaves in a cell that was split a few times, and no other leaves.
 inline Bbox_3 inner_box(const Cell_hierarchy_3& cells, Cell_hierarchy_3::Index c)
 {
   const std::array<double, 3> corner = cells.corner(c);
@@ -39,23 +39,19 @@ inline Bbox_3 inner_box(const Cell_hierarchy_3& cells, Cell_hierarchy_3::Index c
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief returns refined cells: `marked` leaves are split once, and `obstacles` repeatedly where the mesh has gaps that
- * are much narrower than a cell.
+ * \brief returns refined cells: `marked` leaves are split once, and `obstacles` are split repeatedly where the mesh has
+ * gaps that are much narrower than a cell.
  *
- * No field on cells wider than a gap increases through both of its sides. Refining level by level would therefore fail
- * at every intermediate level. If the gap is only slightly narrower than a cell, intermediate levels often suffice.
+ * On cells much wider than a gap, a field can increase only little through the two sides of the gap
+ * (`slopes_at_gaps()`). Refinement level by level would therefore usually fail at each intermediate level. If the gap
+ * is only slightly narrower than a cell, intermediate levels often suffice.
  *
- * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
- * \tparam Limit a predicate on numbers of cells
- * \param cells the cells to refine
  * \param marked leaves to split
- * \param rings rings of cells around them that are split, too
- * \param obstacles marked leaves that are split again, until their parts are no wider than
- *   `Condition_tuning::cell_at_gap` gaps or `most_halvings` is reached
- * \param most_halvings largest number of halvings of obstacles; at most five
- * \param gap the local gap of the mesh
- * \param clipped the mesh, clipped to `cells`
- * \param is_too_many whether a number of cells exceeds the limit; repeated splitting ends before it does
+ * \param rings layers of cells around them that are split as well
+ * \param obstacles marked leaves that are split again, until the width of their parts is at most
+ *   `Condition_tuning::cell_at_gap` times the gap, or `most_halvings` is reached
+ * \param most_halvings largest number of times that an obstacle is split; at most five
+ * \param is_too_many whether a number of cells exceeds the limit, before which repeated splitting ends
  */
 template <typename ConcurrencyTag, typename Limit>
 Cell_hierarchy_3 refine_at_gaps(const Cell_hierarchy_3& cells, const std::vector<Cell_hierarchy_3::Index>& marked,

@@ -49,21 +49,21 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief fits a field on a hierarchy of cells, certifies it, splits cells where the proof fails, and repeats.
+ * \brief refines a hierarchy of cells, on which a field is fitted in each round, until the shell is certified or
+ * refinement ends.
  *
  * A round consists of these steps:
- * - `Fitted_field` fits the energy on the present cells.
- * - `Corrected_field` corrects the field where slopes of facets are too small or |f| is too large on the mesh, if few
- *   cells are affected.
- * - `Narrowed_thresholds` chooses thresholds. Where the mesh requires wider ones than obstacles allow, the field is
- *   corrected again.
- * - If nothing fails, `Shell_certificate_3` proves the claims.
- * - Otherwise, `plan_refinement()` chooses the cells to split.
+ * - `Fitted_field` fits the field on the current cells.
+ * - `Corrected_field` corrects the field where its slope across facets is too small, or where |f| exceeds half the
+ *   thickness on the mesh (in *thick* cells), if few cells are affected.
+ * - `Narrowed_thresholds` chooses thresholds between the values of f on the mesh and those at *obstacles*, such as
+ *   possible critical points. If these leave no room at a few places, the field is corrected there again.
+ * - If nothing fails, `Shell_certificate_3` examines the claims.
+ * - Unless all claims are proved, `plan_refinement()` chooses the cells to split.
  *
  * A round is *partial* if few cells were split: it fits only the coefficients that act on them, and examines only the
- * cells where the field changes (`Examined_field`). A partial round without progress is followed by a full one.
- *
- * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
+ * cells where the field changes (`Examined_field`). After a partial round without progress, or a correction that was
+ * not completed, the next round is full.
  */
 template <typename ConcurrencyTag>
 class Certified_refinement
@@ -79,7 +79,7 @@ public:
       m_history(problem.wanted_slopes.size(), problem.parameters.tuning), m_budget(problem.parameters)
   {}
 
-  /// refines the cells until the shell is certified, or until refinement ends without a proof
+  /// refines the cells until the shell is certified or refinement ends; returns the reason
   /// \param cells the initial cells; they contain the mesh
   Refinement_status operator()(Cell_hierarchy_3 cells)
   {
@@ -93,15 +93,15 @@ public:
 
       const Refinement_plan next = plan(found);
       m_budget.round().marked_cells = next.split.size();
-      const bool in_vain = next.split.empty() || m_history.is_stalled();
-      if(!in_vain) {
+      const bool is_stalled = next.split.empty() || m_history.is_stalled();
+      if(!is_stalled) {
         cells = refined_cells(next);
-        m_limit = limit_of_round(cells.number_of_cells()); // before the memory is taken
+        m_limit = limit_of_round(cells.number_of_cells()); // before memory is allocated
         if(round >= m_problem.parameters.max_rounds) m_limit.resource = Refinement_resource::ROUNDS;
       }
-      if(in_vain || m_limit.resource != Refinement_resource::NONE) {
+      if(is_stalled || m_limit.resource != Refinement_resource::NONE) {
         certify_last_field(found);
-        return in_vain ? Refinement_status::NO_PROGRESS : Refinement_status::LIMIT_REACHED;
+        return is_stalled ? Refinement_status::NO_PROGRESS : Refinement_status::LIMIT_REACHED;
       }
     }
   }
@@ -130,7 +130,7 @@ public:
 
 private:
   typedef Field::Cell_index Index;
-  typedef Corrected_field<ConcurrencyTag> Mended;
+  typedef Corrected_field<ConcurrencyTag> Corrected;
 
   std::optional<Refinement_status> fit(Cell_hierarchy_3 cells)
   {
@@ -145,39 +145,39 @@ private:
     return std::nullopt;
   }
 
-  // corrects the field, chooses thresholds, and returns what still fails
+  // corrects the field, chooses thresholds, and returns the cells that still fail
   Round_findings correct_and_choose_thresholds()
   {
     Round_findings found;
-    Mended mended(m_problem, m_fitted, m_examined, m_budget);
+    Corrected corrected(m_problem, m_fitted, m_examined, m_budget);
     m_problem.start(Shell_step::BOUNDS);
     m_examined.find_thick_cells(m_budget);
     if(m_examined.thick_cells().size() > m_fitted.cells_at_mesh() / m_tuning.many_thick_at_first)
       found.thick_at_first = nearly_thick_cells();
-    m_is_corrected = !mended.are_many_thick() && mended.mend();
+    m_is_corrected = !corrected.are_many_thick() && corrected.correct();
     m_budget.end_step(Refinement_budget::SLOPES);
-    note(mended, found);
+    record_failures(corrected, found);
     if(m_is_corrected && !found.are_many_thick) {
       m_problem.start(Shell_step::CERTIFICATE);
-      choose_thresholds(mended, found);
+      choose_thresholds(corrected, found);
       m_budget.end_step(Refinement_budget::CERTIFICATE);
       m_history.add_round(m_budget.round(), m_examined.thresholds().undecided_volume());
     }
-    m_history.add_refinements(mended.facets_with_small_slopes());
+    m_history.add_refinements(corrected.facets_with_small_slopes());
     return found;
   }
 
-  // records what fails after corrections
-  void note(const Mended& mended, Round_findings& found) const
+  // records the cells that fail after corrections
+  void record_failures(const Corrected& corrected, Round_findings& found) const
   {
-    found.facets_to_steepen = m_history.cells_worth_refining(mended.facets_with_small_slopes());
-    found.are_many_thick = mended.are_many_thick();
+    found.cells_with_small_slopes = m_history.cells_worth_refining(corrected.facets_with_small_slopes());
+    found.are_many_thick = corrected.are_many_thick();
     found.thick.clear();
     if(m_is_corrected || found.are_many_thick)
       for(const Thick_cell& t : m_examined.thick_cells()) found.thick.push_back(t.cell);
   }
 
-  // Returns the cells that are thick, or nearly thick and would be thick in the next round.
+  // Returns the cells that are thick or nearly thick; the latter are often thick in the next round.
   std::vector<Index> nearly_thick_cells()
   {
     const std::vector<Level_range>& ranges = m_examined.ranges(Mesh_ranges::SHARP);
@@ -187,9 +187,9 @@ private:
     return cells;
   }
 
-  // Chooses thresholds. If few obstacles remain, the field is corrected so that it increases there, along a direction
-  // that faces the same way as all facets nearby.
-  void choose_thresholds(Mended& mended, Round_findings& found)
+  // Chooses thresholds. If few obstacles remain, the field is corrected so that it increases there along a direction
+  // that is at less than 90 degrees to the normals of all facets nearby.
+  void choose_thresholds(Corrected& corrected, Round_findings& found)
   {
     m_examined.thresholds().begin(*field(), m_problem.thickness);
     std::vector<Threshold_obstacle> obstacles = chosen_thresholds(Narrowing_limits().max_passes);
@@ -202,9 +202,9 @@ private:
       const std::vector<Slope_condition> conditions = conditions_at(obstacles);
       if(conditions.empty()) break;
       m_budget.end_step(Refinement_budget::CERTIFICATE);
-      m_is_corrected = mended.mend(conditions);
+      m_is_corrected = corrected.correct(conditions);
       m_budget.end_step(Refinement_budget::SLOPES);
-      note(mended, found);
+      record_failures(corrected, found);
       if(!m_is_corrected || !plan(found).split.empty()) break;
       obstacles = chosen_thresholds(Narrowing_limits().max_passes);
       cells = cells_of(obstacles).size();
@@ -215,7 +215,7 @@ private:
     found.obstacles = std::move(obstacles);
   }
 
-  // returns the places where the mesh needs wider thresholds than obstacles allow
+  // returns the places where |f| on the mesh is too large for thresholds that exclude the obstacles
   std::vector<Threshold_obstacle> chosen_thresholds(int max_passes)
   {
     m_budget.round().examined = true;
@@ -237,8 +237,8 @@ private:
     return conditions;
   }
 
-  // Finds the cells where |f| leaves thresholds little or no room to pass obstacles. If few obstacles leave no room,
-  // similar cells are added.
+  // Finds the cells where |f| is so large on the mesh that thresholds have little or no room before obstacles. If there
+  // are few obstacles without room, similar cells are added.
   void find_causing_cells(const std::vector<Threshold_obstacle>& obstacles, Round_findings& found)
   {
     std::vector<Threshold_obstacle> places = m_examined.thresholds().narrow_places();
@@ -284,8 +284,8 @@ private:
                                           [&](std::size_t size) { return is_beyond_limits(size); });
   }
 
-  // Returns the first limit that a round with this number of cells would exceed. Points per cell are assumed to be
-  // constant.
+  // Returns the first limit that a round with this number of cells would exceed, if the number of points per cell
+  // remains the same.
   Refinement_limit limit_of_round(std::size_t cells) const
   {
     const double points = double(cells) / double(field()->number_of_cells()) * double(field()->number_of_points());
@@ -293,11 +293,11 @@ private:
   }
   bool is_beyond_limits(std::size_t cells) const { return limit_of_round(cells).resource != Refinement_resource::NONE; }
 
-  // proves the claims, and records cells with two sheets
+  // examines the claims, and records the cells where two components of the mesh share a component of the shell
   bool certify(Round_findings& found)
   {
     m_examined.thresholds().forget_cover(); // the certificate computes its own
-    m_fitted.release_equations();           // the field does not change any more
+    m_fitted.release_equations();           // the field no longer changes
     m_certificate.emplace(*field(), inner(), outer());
     m_certificate->template verify<ConcurrencyTag>(m_problem.input);
     for(const Certificate_witness& w : m_certificate->witnesses())
@@ -309,7 +309,7 @@ private:
     return m_certificate->is_certified();
   }
 
-  // computes a certificate of the last field, even if some claims fail
+  // examines the claims for the last field, although some will not be proved
   void certify_last_field(Round_findings& found)
   {
     if(!m_examined.thresholds().are_chosen()) {
@@ -340,7 +340,8 @@ std::vector<Refinement_obstacle> Certified_refinement<ConcurrencyTag>::obstacles
   std::map<Index, std::array<double, 3> > places;
   for(const Threshold_obstacle& o : m_obstacles) places.insert({ o.cell, o.point });
   for(const Certificate_witness& w : m_certificate->witnesses()) {
-    // These witnesses have no place.
+    // Two components of the mesh in one component of the shell do not fail at one place; CONTAINMENT_NOT_PROVED has no
+    // point.
     if(w.reason == Certificate_witness::TWO_SHEETS || w.reason == Certificate_witness::CONTAINMENT_NOT_PROVED) continue;
     const Index c = field()->locate(Field::Point_3(w.point[0], w.point[1], w.point[2]));
     if(c != Field::npos) places.insert({ c, w.point });

@@ -28,13 +28,9 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief returns the obstacles at places where a proof failed, with the local gap of the mesh there; narrowest first,
- * at most 1000.
+ * \brief returns the obstacles at places where a proof failed, with the local gap of the mesh there; at most 1000,
+ * narrowest first.
  *
- * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
- * \param cells the cells of the field
- * \param clipped the mesh, clipped to these cells
- * \param gap the local gap of the mesh
  * \param places the failing cells, with a point in each
  */
 template <typename ConcurrencyTag>

@@ -20,34 +20,32 @@ namespace Bspline_shells {
  * \brief the cells that the shell may intersect: a cover of the connected components of \f$\{\epsilon_1 \le f \le
  * \epsilon_2\}\f$ that intersect the mesh.
  *
- * Other components are not part of the shell; the field may take these values anywhere.
+ * Other components are not part of the shell: the field may have these values far from the mesh.
  */
 struct Shell_component
 {
   std::vector<char> cells; ///< for each cell of the field, whether it is in the cover
-  /// cells of the cover where the shell may reach the domain's boundary
+  /// cells of the cover where the shell may reach the boundary of the domain
   std::vector<std::uint32_t> border_cells;
 };
 
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief computes the shell's cells by flooding.
+ * \brief computes the shell's cells by a flood fill.
  *
- * Flooding starts at the cells that the mesh intersects. It passes all faces on which the range of the Bernstein
- * coefficients meets the levels. The ranges over-estimate the field: cells outside the cover are certainly outside the
- * shell, up to rounding of the levels.
+ * The flood fill starts at the cells that the mesh intersects, and passes all faces on which the range of the Bernstein
+ * coefficients meets the interval between the thresholds. Because these ranges contain those of the field, cells
+ * outside the cover are outside the shell, up to the rounding of thresholds.
  *
- * \param field the field
- * \param levels \f$\epsilon_1\f$ and \f$\epsilon_2\f$, user units
- * \param surface_cells the cells that the mesh intersects
+ * \param levels \f$\epsilon_1\f$ and \f$\epsilon_2\f$
  */
 template <typename Field>
 Shell_component shell_component(const Field& field, const std::vector<typename Field::Cell_index>& surface_cells,
                                 const Level_range& levels)
 {
   typedef typename Field::Cell_index Index;
-  // Whether the range of the sixteen coefficients on a face meets the levels.
+  // Whether the range of the sixteen coefficients on a face meets the interval.
   const auto face_meets = [&](const typename Field::Cell& cell, int axis, bool positive) {
     Level_range range;
     const int stride = axis == 0 ? 1 : axis == 1 ? 4 : 16;

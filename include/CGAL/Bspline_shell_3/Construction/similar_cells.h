@@ -22,17 +22,15 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief returns cells at the mesh that are similar to given ones: connected to them by cells of the same size, and
+ * \brief returns cells at the mesh that are similar to given cells: connected to them by cells of the same size, and
  * with |f| on the mesh about as large or larger.
  *
- * Otherwise these neighbors would fail in the next round.
+ * If they were not split as well, these cells would often fail in the next round.
  *
- * \param cells the cells
  * \param ranges enclosures of the field on the part of the mesh in each cell
- * \param given the given leaves
  * \return the similar cells without the given ones, ascending
  *
- * \cgalHeading{Cost} Linear in the number of all cells.
+ * \cgalHeading{Cost} Linear in the number of cells.
  */
 inline std::vector<Cell_hierarchy_3::Index> similar_cells(const Cell_hierarchy_3& cells,
                                                           const std::vector<Level_range>& ranges,
@@ -49,8 +47,8 @@ inline std::vector<Cell_hierarchy_3::Index> similar_cells(const Cell_hierarchy_3
   };
   std::vector<char> state(cells.number_of_cells(), UNSEEN);
   for(Index c : given) state[c] = GIVEN;
-  // Start at the cells with the smallest |f|: they reach everything that other cells would reach through the same
-  // cells.
+  // The search starts at the cells with the smallest |f|, which reach all cells that others would reach through the
+  // same cells.
   std::vector<Index> starts = given, similar, front;
   std::stable_sort(starts.begin(), starts.end(), [&](Index a, Index b) { return largest(a) < largest(b); });
   for(Index start : starts) {

@@ -34,15 +34,13 @@ namespace Bspline_shells {
  * \brief returns the slope that a field should have along the normal of each triangle: a fraction of the slope that is
  * possible at all three vertices (`vertex_cone_margin()`), and zero if a vertex is singular.
  *
- * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
- * \param input the mesh
  * \param fraction fraction of the possible slope
  */
 template <typename ConcurrencyTag>
 std::vector<double> wanted_slopes(const Input_mesh_3& input, double fraction)
 {
   constexpr std::size_t chunk = 1024;
-  constexpr double singular = 1e-9; // smaller cone margins are lost in rounding
+  constexpr double singular = 1e-9; // smaller cone margins are within rounding errors
   const auto& mesh = input.mesh();
   std::vector<double> margin(mesh.number_of_vertices(), 1);
   internal::for_each_chunk<ConcurrencyTag>(margin.size(), chunk, [&](std::size_t begin, std::size_t end) {
@@ -67,16 +65,10 @@ std::vector<double> wanted_slopes(const Input_mesh_3& input, double fraction)
  * \brief returns conditions for a field on a mesh (`Slope_enforcement`): at the centers of pieces, and at the corners
  * of pieces that are not small relative to their cells. In cells with many pieces, only some centers have conditions.
  *
- * The slope varies little within a cell; the caller checks the rest.
+ * The slope varies little within a cell; the caller checks it everywhere.
  *
  * \tparam ConcurrencyTag as for `wanted_slopes()`; unless it is `Sequential_tag`, functions are called concurrently
- * \tparam Field `Hierarchical_bspline_field_3`
- * \tparam Slope a function of cells and triangles
- * \tparam Predicate a predicate on cells
- * \tparam Size a function of cells
- * \param field the field whose cells are used; its values are not used
- * \param clipped the mesh, clipped to these cells
- * \param wanted the slope of a triangle in a cell (`wanted_slopes()`). If it is zero, no condition is added:
+ * \param wanted the slope of a triangle in a cell (`wanted_slopes()`). If it is zero, no condition is added, because
  *   corrections cannot help at a singular vertex.
  * \param is_asked whether conditions are required in a cell
  * \param largest largest allowed \f$|f|\f$ on the mesh in a cell, in units of the width of root cells
@@ -134,12 +126,9 @@ std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief returns a slope condition at a point near a mesh, along the direction that the facets nearby have in common;
- * nothing if there is no such direction.
+ * \brief returns a slope condition at a point near a mesh, along a direction at less than 90 degrees to the normals of
+ * all facets nearby; nothing if there is no such direction.
  *
- * \tparam Field `Hierarchical_bspline_field_3`
- * \param field the field whose cells are used; its values are not used
- * \param clipped the mesh, clipped to these cells
  * \param c,point a cell, and a point in it
  * \param distance distance of the point from the mesh
  * \param fraction fraction of the possible slope

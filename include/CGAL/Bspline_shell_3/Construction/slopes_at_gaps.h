@@ -26,14 +26,10 @@ namespace Bspline_shells {
  * \brief returns the slopes that can be required of a field on the mesh in cells with narrow walls or gaps.
  *
  * In cells of width \f$h\f$, the second derivatives of a field are at most about \f$1/h\f$. If the field is zero on
- * both sides of a wall of width \f$g < h\f$, it resembles \f$(x^2 - g^2/4) / h\f$ across the wall. The slope on both
- * sides is \f$g/h\f$. A quarter of this slope leaves room for variation along the wall.
+ * both sides of a wall of width \f$g < h\f$, it resembles \f$(x^2 - g^2/4) / h\f$ across the wall, with the slope
+ * \f$g/h\f$ on both sides. A quarter of this slope leaves room for variation along the wall.
  *
- * \tparam ConcurrencyTag as for `certified_bspline_shell_3()`; the result is the same
- * \param cells the cells
  * \param asked cells for which slopes are returned
- * \param gap the local gap of the mesh
- * \param clipped the mesh, clipped to `cells`
  * \return the slope for each of these cells; infinite if no gap is narrower than the cell
  */
 template <typename ConcurrencyTag>

@@ -25,7 +25,7 @@ namespace Bspline_shells {
 struct Thickness_on_mesh
 {
   double largest = 0; ///< largest difference of the thresholds
-  /// fraction of the mesh's area in cells where the difference is more than 1 % below the requested thickness
+  /// fraction of the mesh's area in cells where this difference is more than 1 % below the requested thickness
   double narrowed_area = 0;
 };
 
@@ -34,11 +34,8 @@ struct Thickness_on_mesh
  *
  * \brief compares thresholds with the requested thickness.
  *
- * \tparam Threshold `Spline_threshold`
- * \tparam Thickness a function of cells
  * \param clipped the mesh, clipped to the cells of the thresholds
- * \param inner,outer the thresholds
- * \param asked the requested thickness in a cell, user units
+ * \param asked the requested thickness in a cell, in the units of the coordinates
  */
 template <typename Threshold, typename Thickness>
 Thickness_on_mesh thickness_on_mesh(const Clipped_mesh_3& clipped, const Threshold& inner, const Threshold& outer,

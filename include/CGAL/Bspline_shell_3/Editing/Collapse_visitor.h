@@ -18,8 +18,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief the history of a run of `CGAL::Surface_mesh_simplification::edge_collapse()`: counts, and for every vertex of
- * the original mesh the vertex of the result into which it was collapsed.
+ * \brief the history of a run of `CGAL::Surface_mesh_simplification::edge_collapse()`: numbers of edges, and for each
+ * vertex of the original mesh the vertex of the result into which it was collapsed.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
  */
@@ -40,7 +40,7 @@ public:
     return v;
   }
 
-  /// records that `v` is removed in favor of `kept`
+  /// records that `v` was collapsed into `kept`
   void collapse(vertex_descriptor v, vertex_descriptor kept)
   {
     ++collapsed;
@@ -48,7 +48,7 @@ public:
   }
 
 private:
-  // Removed vertices are only used as numbers or addresses.
+  // Removed vertices are used only as keys.
   std::unordered_map<vertex_descriptor, vertex_descriptor> m_kept;
 };
 
@@ -87,11 +87,11 @@ struct Default_collapse_visitor
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief a visitor for `CGAL::Surface_mesh_simplification::edge_collapse()` that records the history of the run. Each
- * call is first passed on to a base visitor.
+ * \brief a visitor for `CGAL::Surface_mesh_simplification::edge_collapse()` that records the history of the run, after
+ * passing each call on to a base visitor.
  *
- * Visitors cannot stop a run. A model of `StopPredicate` can; it receives the initial and the current number of edges
- * for each edge that is considered. Copies share the history.
+ * A visitor cannot stop a run, unlike a `StopPredicate`, which receives the initial and the current number of edges for
+ * each edge that is considered. Copies share the history.
  *
  * \cgalModels `EdgeCollapseSimplificationVisitor`
  *

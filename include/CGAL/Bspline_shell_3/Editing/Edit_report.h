@@ -23,31 +23,31 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief the part of the report that all edits of a mesh in a shell have in common.
+ * \brief the common part of the reports of `simplify_in_shell()` and `remesh_in_shell()`.
  */
 struct Edit_report
 {
   Edit_status status = Edit_status::NO_SHELL;
-  Edit_termination end = Edit_termination::NOT_EDITED; ///< the reason why the edit ended, and why a target was not reached
-  Invalid_parameter invalid_parameter; ///< the rejected parameter, if the status is `INVALID_PARAMETER`
-  /// facets and vertices where the mesh is not in the shell before the edit. The vertex of a tip stands for the
-  /// triangles that replace the tip in the shell.
+  Edit_termination end = Edit_termination::NOT_EDITED; ///< why the edit ended, possibly before its target
+  Invalid_parameter invalid_parameter;                 ///< the rejected parameter, if the status is `INVALID_PARAMETER`
+  /// the facets and vertices at which the mesh was not accepted before the edit; see `Edit_status::NOT_IN_SHELL`. The
+  /// vertex of a truncated tip represents the triangles that replace the tip.
   Offending_simplices offending_simplices;
   /// with `freeze_rejected_facets(true)`: the positions of the frozen facets in `faces(mesh)` before the edit,
-  /// ascending, and the positions of the same facets, in the same order, after it. If the shell replaces tips of the
-  /// mesh, the order is different: parts of a facet that was cut have its position, and triangles that replace a tip
-  /// have `no_facet`.
+  /// ascending, and the positions of the same facets after it, in the same order. If the shell truncates tips of the
+  /// mesh, the positions are not ascending: parts of a facet that was cut have its position, and triangles that replace
+  /// a tip have `no_facet`.
   std::vector<std::size_t> frozen_facets_before, frozen_facets;
   static constexpr std::size_t no_facet = std::size_t(-1); ///< an entry of `frozen_facets_before`
-  std::size_t facets_before = 0, facets = 0;               ///< numbers of facets of the mesh
+  std::size_t facets_before = 0, facets = 0;               ///< number of facets of the mesh before and after the edit
   std::size_t constrained_edges = 0;                       ///< number in the result; 0 if the mesh was not edited
-  Placement_statistics placements;                         ///< all placements that were tried, by verdict
-  /// certificate of the result; with `PARTIALLY_EDITED`, not all of its claims are proved
+  Placement_statistics placements;                         ///< number of placements that were tried, by verdict
+  /// the certificate of the result; with `PARTIALLY_EDITED`, not all of its claims are proved
   Certificate_report certificate;
-  /// whether the edit was undone and repeated with a proof for each facet. In the first run, facets that passed an
-  /// estimate were accepted without a proof, and the certificate failed.
+  /// whether the edit was undone and repeated with a proof for each facet. In the first run, facets were accepted
+  /// without a proof if an estimate cleared them, and the certificate failed.
   bool is_repeated = false;
-  /// times of the first check, the edit, the certificate, and the location of vertices
+  /// time for the check before the edit, the edit, the certificate, and the location of vertices
   double check_seconds = 0, edit_seconds = 0, certificate_seconds = 0, location_seconds = 0;
 
   double total_seconds() const { return check_seconds + edit_seconds + certificate_seconds + location_seconds; }

@@ -18,7 +18,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief the report of an edit, and the images of the vertices.
+ * \brief the result of an edit: its report, and two maps from the vertices of the original mesh to the result.
  *
  * `images` and `locations` contain descriptors of the result as it is returned. `Surface_mesh::collect_garbage()`
  * renumbers vertices and facets, and thus invalidates them.
@@ -35,14 +35,13 @@ struct Edit_result : Report
   typedef std::pair<face_descriptor, std::array<double, 3> > Location;
 
   /// for each vertex of the original mesh, in the order of `vertices(mesh)`, the vertex of the result into which it was
-  /// collapsed, or the vertex itself; empty if the mesh was not edited. Every vertex has an image, at almost no cost.
-  /// An image is not a location: vertices move when edges are collapsed, and when vertices are relaxed.
+  /// collapsed, or the vertex itself; empty if the mesh was not edited. This vertex may be far from the location below:
+  /// vertices move when edges are collapsed, and when vertices are relaxed.
   std::vector<vertex_descriptor> images;
 
   /// with `locate_vertices(true)`: for each vertex of the original mesh, in the order of `vertices(mesh)`, the location
-  /// on the result of the integral curve through its original position. This is its image under the `Shell_map_3` from
-  /// the original mesh to the result. The facet is null if no image was found. Empty if the mesh was not edited, or if
-  /// not requested.
+  /// where the integral curve through its original position meets the result. This is its image under the `Shell_map_3`
+  /// from the original mesh to the result. The facet is null if no image was found. Empty if the mesh was not edited.
   std::vector<Location> locations;
 };
 

@@ -15,7 +15,7 @@ namespace Bspline_shells {
 enum class Edit_status
 {
   SUCCESS, ///< the result is certified
-  /// with `freeze_rejected_facets(true)`: facets were frozen, and the result is not certified. The other facets are
+  /// with `freeze_rejected_facets(true)`: facets were frozen, and the result is not certified; its other facets are
   /// proved to lie in the shell and to face along the gradient
   PARTIALLY_EDITED,
   NO_SHELL,              ///< there is no shell
@@ -23,50 +23,51 @@ enum class Edit_status
   MEMORY_LIMIT_EXCEEDED, ///< the result and its certificate would need more memory than allowed
   TIME_LIMIT_EXCEEDED,   ///< the time limit was reached before the result was certified
   NOT_FINITE,            ///< a coordinate is infinite or not a number
-  NOT_TRIANGULATED,      ///< the mesh has no facet, or a facet that is not a triangle
-  OPEN_MESH,             ///< the mesh has a border
-  NOT_CLOSABLE,          ///< the mesh has the border of the shell, but also an edge of the shell's closing
-  NOT_IN_SHELL, ///< a facet is not proved to lie in the shell and to face along the gradient, or a fan winds twice
-  /// no facet was rejected before the edit, but the certificate of the result fails; the report lists the places
+  NOT_TRIANGULATED,      ///< the mesh has no facets, or a facet that is not a triangle
+  OPEN_MESH,             ///< the mesh has a border, which is not that of the shell's closing
+  NOT_CLOSABLE,          ///< the mesh has the border of the shell's closing, but also an edge of the closing
+  /// a facet is not proved to lie in the shell and to face along the gradient, or the facets at a vertex do not wind
+  /// around it once; also if the shell's truncation does not fit the mesh
+  NOT_IN_SHELL,
+  /// no facet was rejected before the edit, but the result could not be certified; the report lists the places
   NOT_CERTIFIED
 };
 
 /// \ingroup PkgBsplineShell3Editing
-/// returns one sentence that describes the problem and a remedy
+/// returns a sentence that describes the problem and a remedy
 inline const char* message(Edit_status status)
 {
   switch(status) {
     case Edit_status::SUCCESS: return "The mesh was edited, and the result is certified.";
     case Edit_status::PARTIALLY_EDITED:
-      return "The mesh was edited except for the frozen facets, and is not certified: only its other facets are proved "
-             "to lie in the shell and "
-             "to face along the gradient.";
-    case Edit_status::NO_SHELL: return "There is no shell: its own status says why.";
+      return "The mesh was edited except for the frozen facets, and the result is not certified: only the other facets "
+             "are proved to lie in the shell and to face along the gradient.";
+    case Edit_status::NO_SHELL: return "There is no shell: see the status of the shell for the reason.";
     case Edit_status::INVALID_PARAMETER:
-      return "A parameter has a value that is not allowed: the report has its name and its bounds "
+      return "A parameter value is not allowed: see its name and bounds in the report "
              "(CGAL::Bspline_shells::Invalid_parameter).";
     case Edit_status::MEMORY_LIMIT_EXCEEDED:
-      return "The result would need more memory than allowed: ask for longer edges, or raise the limit (memory_limit).";
+      return "The edit would exceed the memory limit: raise the limit (memory_limit), or request longer edges.";
     case Edit_status::TIME_LIMIT_EXCEEDED:
       return "The time limit was reached before the result was certified: raise the limit (time_limit).";
-    case Edit_status::NOT_FINITE: return "The mesh has vertices whose coordinates are infinite or not a number.";
+    case Edit_status::NOT_FINITE:
+      return "The mesh has vertices with infinite or NaN coordinates: repair or remove them.";
     case Edit_status::NOT_TRIANGULATED:
-      return "The mesh has no facets, or some that are no triangles: triangulate it "
+      return "The mesh has no facets, or facets that are not triangles: triangulate it "
              "(CGAL::Polygon_mesh_processing::triangulate_faces).";
     case Edit_status::OPEN_MESH:
-      return "The mesh is open: close its holes (CGAL::Polygon_mesh_processing::triangulate_hole).";
+      return "The mesh is open, and its border is not that of the shell: close its holes "
+             "(CGAL::Polygon_mesh_processing::triangulate_hole), or use the shell of a mesh with the same border "
+             "(CGAL::certified_bspline_shell_3).";
     case Edit_status::NOT_CLOSABLE:
-      return "The mesh has the border of the shell, but also an edge of the shell's closing: edit a mesh without this "
-             "edge.";
+      return "The mesh has the border of the shell, but also an edge of the triangles that close the shell: edit a "
+             "mesh without this edge.";
     case Edit_status::NOT_IN_SHELL:
-      return "The mesh is not the one that the shell truncates, or its listed facets are not in the shell or face the "
-             "wrong way, "
-             "or the facets at the listed vertices fold through themselves: edit "
-             "a mesh for which the shell is certified, or leave these facets as they are (freeze_rejected_facets).";
+      return "The mesh is not proved to lie in the shell and to face along the gradient at the listed facets and "
+             "vertices: edit a mesh for which the shell is certified, or freeze these facets (freeze_rejected_facets).";
     case Edit_status::NOT_CERTIFIED:
-      return "The certificate of the result fails, as it does for the mesh before, at the places that its witnesses "
-             "have: ask for a "
-             "certified shell of this mesh.";
+      return "The result was not certified, so the mesh is unchanged: see the witnesses in the report, and build a "
+             "certified shell for this mesh.";
   }
   return "";
 }

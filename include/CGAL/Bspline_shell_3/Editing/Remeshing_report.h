@@ -20,7 +20,7 @@ namespace Bspline_shells {
  */
 struct Remeshing_report : Edit_report
 {
-  std::size_t splits = 0, collapses = 0, flips = 0, moves = 0; ///< numbers of operations
+  std::size_t splits = 0, collapses = 0, flips = 0, moves = 0; ///< number of operations of each kind
 };
 
 } // namespace Bspline_shells

@@ -36,27 +36,29 @@ struct Permissive_filter
  * \ingroup PkgBsplineShell3Editing
  *
  * \brief a filter for `CGAL::Surface_mesh_simplification::edge_collapse()` that keeps a mesh in a shell. A placement
- * passes only if the oracle accepts the facets at the new vertex and their fan. No other facets change.
+ * passes only if the oracle accepts the facets at the new vertex, and these wind around the vertex once; no other
+ * facets change.
  *
- * Assume that the facets of a mesh lie in the shell and face along the gradient, and that all its fans wind once. A
- * collapse that passes the filter preserves this property:
+ * Assume that the facets of a mesh are proved to lie in the shell and to face along the gradient. Assume also that the
+ * *fan* of facets at each vertex winds around the gradient there once. A collapse that passes the filter of an oracle
+ * with `Facet_proofs::ALL` preserves these properties:
  * - *Other fans* need no test. At a vertex of the link that is on only one of the two old stars, one neighbor moves.
- *   Before and after, the two facets there turn by less than a full turn together, from the same vertex to the same
- *   vertex. They hence turn by the same angle. At the two vertices opposite to the edge, three facets become two. The
- *   fan's angle can only decrease, by full turns, and a fan of facets that all face the axis turns at least once.
+ *   Before and after, the two facets at this neighbor together wind by less than a full turn, from the same vertex to
+ *   the same vertex, and hence by the same angle. At the two vertices opposite to the edge, three facets become two.
+ *   The angle of the fan can then only decrease, by full turns, and a fan of facets that all face along the gradient
+ *   winds at least once.
  * - *Components* need no test. Every facet that changes has a vertex of the link, which does not move. The facet
  *   therefore lies in the same component of the shell as this vertex.
  *
- * Edges whose facets reach a border are not collapsed, so that an open mesh keeps the border that the closing of its
- * shell has. Shells with a truncation are not supported: the mesh would have to be truncated first, as in
- * `simplify_in_shell()`.
+ * Edges whose facets reach a border are not collapsed, so that an open mesh keeps the border of its shell's closing.
+ * Shells with a truncation are not supported: the mesh would have to be truncated first, as in `simplify_in_shell()`.
  *
- * The last two claims of the certificate, one sheet and degree one, then remain true, too. \cgal collapses edges of
- * length zero without calling the filter. The result should therefore be verified by `Shell_certificate_3`, as in
- * `simplify_in_shell()`.
+ * The last two claims of the certificate, `ONE_SHEET` and `DEGREE_ONE`, then remain true as well. Nevertheless, the
+ * result should be verified by `Shell_certificate_3`, as in `simplify_in_shell()`, because \cgal collapses edges of
+ * length zero without calling the filter.
  *
- * Copies, which \cgal makes, share their statistics and the memory of the oracle. A filter and its copies must
- * therefore be used by one thread at a time. The oracle may be used by several threads.
+ * Copies, which \cgal makes, share their statistics and the memory of the oracle, so a filter and its copies must be
+ * used by one thread at a time. The oracle may be used by several threads.
  *
  * \cgalModels `PlacementFilter`
  *
@@ -71,14 +73,14 @@ class Shell_filter
 public:
   typedef typename Oracle::Shell Shell;
 
-  /// constructs a filter with its own oracle, which proves all facets
+  /// constructs a filter with its own oracle, which proves all accepted facets
   /// \pre `shell` outlives this object and its copies
   explicit Shell_filter(const Shell& shell, const BaseFilter& base_filter = BaseFilter())
     : Shell_filter(std::make_shared<const Oracle>(shell), base_filter)
   {}
   explicit Shell_filter(const Shell&&, const BaseFilter& = BaseFilter()) = delete; // would dangle
 
-  /// constructs a filter with an oracle of the caller
+  /// constructs a filter with the caller's oracle
   /// \pre `oracle` outlives this object and its copies
   explicit Shell_filter(const Oracle& oracle, const BaseFilter& base_filter = BaseFilter())
     : Shell_filter(std::shared_ptr<const Oracle>(std::shared_ptr<void>(), &oracle), base_filter)

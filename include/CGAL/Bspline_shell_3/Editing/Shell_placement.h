@@ -16,11 +16,11 @@ namespace Bspline_shells {
  * \ingroup PkgBsplineShell3Editing
  *
  * \brief a placement for `CGAL::Surface_mesh_simplification::edge_collapse()` that moves the placements of another
- * policy towards a shell. A point outside the shell is moved along the gradient to the mean level of the
- * edge's ends.
+ * policy into a shell. A point outside the shell is moved along the gradient to the mean value of the field at the ends
+ * of the edge.
  *
- * `Shell_filter` then rejects fewer placements. Whether a point is moved is decided in floating-point arithmetic: this
- * policy proves nothing, the filter does.
+ * `Shell_filter` then rejects fewer placements. This policy proves nothing, because it tests in floating-point
+ * arithmetic whether a point is in the shell; the filter does.
  *
  * \cgalModels `GetPlacement`
  *

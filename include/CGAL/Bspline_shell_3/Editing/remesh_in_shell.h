@@ -36,7 +36,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief the report of a remeshing, and the images of the vertices.
+ * \brief the result of `remesh_in_shell()`: the report, and the vertices of the result into which vertices were
+ * collapsed.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
  */
@@ -48,37 +49,36 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *
  * \brief remeshes a mesh in a shell: edges get about the requested length, and facets become nearly equilateral.
  *
- * After every operation, all facets still lie in the shell and face along the gradient. The result is certified anew:
- * it has no self-intersections, and the integral curves map it one-to-one onto the original mesh.
+ * An operation is done only if each facet that it creates is accepted, as in `simplify_in_shell()`; otherwise, it is
+ * omitted or done in part. The result is certified as a whole; otherwise, the mesh is restored unless facets are
+ * frozen. A certified result has no self-intersections. The integral curves map it one-to-one onto every other mesh
+ * that is certified in the same shell, in particular the mesh for which a certified shell was built.
  *
- * The method follows M. Botsch, L. Kobbelt: A remeshing approach to multiresolution modeling, 2004. Each iteration
- * splits edges that are longer than 4/3 of the target length, and collapses edges that are shorter than 4/5 of it. It
- * then flips edges towards six edges at each vertex, and moves vertices within the tangent plane towards the centroid
- * of their neighbors. Moved vertices return to the original mesh, along the gradient. Before each iteration and at the
- * end, edges are flipped where this improves facets. Edges of more than about 25 degrees are not flipped, and their
- * vertices move only along them. An operation that the shell rejects is omitted or done in part.
+ * The method follows *A remeshing approach to multiresolution modeling* (M. Botsch and L. Kobbelt, 2004). Each
+ * iteration splits edges that are longer than 4/3 of the target length, and collapses edges that are shorter than 4/5
+ * of it. It then flips edges toward six edges at each vertex, and moves vertices within the tangent plane toward the
+ * centroid of their neighbors. Moved vertices return to the original mesh along the gradient. Before each iteration and
+ * at the end, edges are flipped where this improves facets. Edges with an angle of more than about 25 degrees are not
+ * flipped, and their vertices move only along them.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for all proofs, and for the
- *   moves of vertices; the result is the same
- * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, copyable, with points of
- *   any kernel whose `FT` is `double`
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`, used for proofs and for
+ *   moves of vertices; all give the same result
+ * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph`, and `HalfedgeListGraph`; copyable, with points
+ *   of a kernel whose `FT` is `double`
  * \tparam Sizing `double`, or a function from points to `double`
  *
- * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes; often the mesh that the
- *   shell was built for. If it is not edited, it is either untouched or restored. It is restored if the status is
- *   `NOT_CERTIFIED`, `TIME_LIMIT_EXCEEDED` or `NOT_CLOSABLE`, or `INVALID_PARAMETER` for a length that was requested
- *   between the vertices of the mesh. With the status `NOT_IN_SHELL`, it is restored in two cases: if it has tips that
- *   `Bspline_shell_3::truncation()` replaces, because it is truncated first; and if an estimate accepted all of its
- *   facets at first. The property maps of a restored `Surface_mesh` have their original values, and so has the map of
- *   constrained edges, wherever it stores them. The elements of other restored meshes are new: descriptors and other
- *   maps of the caller are invalid. Constrained edges that lead to a tip end where it is cut.
- * \param target_edge_length the length of edges, or a function that returns the length of edges near a point; user
- *   units, positive and finite. There must be less than 2^30 facets. `Edit_report::end` is the reason why edges may
- *   have other lengths at the end.
+ * \param mesh a closed mesh in the shell, or a mesh with the border of `Bspline_shell_3::closing()`; often the mesh for
+ *   which the shell was built. Unless it was edited, it is unchanged at the end. It may have been restored, in the
+ *   cases and in the way that `simplify_in_shell()` describes, and after `INVALID_PARAMETER` if a length that was
+ *   requested during the edit is invalid. Constrained edges that lead to a truncated tip end where the tip is cut off.
+ * \param target_edge_length the length of edges, or a function that returns the length of edges near a point; in the
+ *   units of the coordinates, positive and finite. There must be less than 2^30 facets. `Edit_report::end` is the
+ *   reason why edges may have other lengths at the end.
  * \param shell a shell; it may be certified for another mesh
  * \param np optional named parameters:
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{number_of_iterations}
+ *       \cgalParamDescription{number of times that splits, collapses, flips, and moves are repeated}
  *       \cgalParamType{`unsigned int`}
  *       \cgalParamDefault{3}
  *     \cgalParamNEnd
@@ -89,45 +89,47 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *     \cgalParamNEnd
  *     \cgalParamNBegin{edge_is_constrained_map}
  *       \cgalParamDescription{a model of `ReadWritePropertyMap`. Constrained edges are not flipped, and their vertices
- *         do not move. They are split into constrained halves, and collapsed along themselves where two of them meet.}
+ *         do not move. The edges are split into constrained halves, and collapsed along their polyline where two of
+ *         them meet.}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{vertex_is_constrained_map}
  *       \cgalParamDescription{vertices that are neither removed nor moved}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{protect_constraints}
- *       \cgalParamDescription{if `true`, constrained edges are neither split nor collapsed; default `false`, unlike in
- *         `simplify_in_shell()`}
+ *       \cgalParamDescription{if `true`, constrained edges are neither split nor collapsed}
  *       \cgalParamType{`bool`}
+ *       \cgalParamDefault{`false`, unlike in `simplify_in_shell()`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{freeze_rejected_facets}
- *       \cgalParamDescription{if `false`, the default, a mesh with facets that are not proved to lie in the shell and
- *         to face along the gradient is rejected. If `true`, these facets are frozen: none of their vertices is moved
- *         or removed, and none of their edges is flipped, split or collapsed. If all facets at a vertex are accepted,
- *         but their fan does not wind once, they are frozen, too. The other facets are edited; see
+ *       \cgalParamDescription{if `false`, a mesh with facets that are not proved to lie in the shell and to face along
+ *         the gradient is rejected. If `true`, these facets are frozen: their vertices are neither moved nor removed,
+ *         and their edges are not flipped, split, or collapsed. The facets at a vertex around which they do not wind
+ *         exactly once are frozen as well, even if each of them is accepted. The other facets are edited; see
  *         `Edit_status::PARTIALLY_EDITED`.}
  *       \cgalParamType{`bool`}
+ *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{do_project}
- *       \cgalParamDescription{whether vertices that move return to the original mesh}
+ *       \cgalParamDescription{whether moved vertices return to the original mesh}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`true`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{memory_limit}
- *       \cgalParamDescription{approximate number of bytes for the mesh, the result and its certificate. The estimate is
- *         1200 bytes for each facet of the mesh, and for each equilateral triangle of the requested size that fits into
- *         its area; a `Surface_mesh` takes about a third of this. If the limit is exceeded, the status is
+ *       \cgalParamDescription{approximate number of bytes for the mesh, the result, and its certificate. The estimate
+ *         is 1200 bytes for each facet of the mesh, and for each equilateral triangle of the requested size that fits
+ *         into its area; a `Surface_mesh` takes about a third of this. If the limit is exceeded, the status is
  *         `MEMORY_LIMIT_EXCEEDED`, and the mesh is untouched.}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{4e9}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{time_limit}
- *       \cgalParamDescription{seconds after which the status is `TIME_LIMIT_EXCEEDED` and the mesh is restored;
- *         unlimited by default}
+ *       \cgalParamDescription{seconds after which the status is `TIME_LIMIT_EXCEEDED` and the mesh is restored}
  *       \cgalParamType{`double`}
+ *       \cgalParamDefault{infinite}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
- *       \cgalParamDescription{a model of `RemeshingVisitor`, which can show progress or cancel. The operations that
- *         were done until then are certified and kept.}
+ *       \cgalParamDescription{a model of `RemeshingVisitor`, which can show progress or cancel; the mesh remeshed so
+ *         far is then certified and kept}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{locate_vertices}
  *       \cgalParamDescription{whether `Edit_result::locations` is filled}
@@ -135,20 +137,21 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{vertex_point_map}
- *       \cgalParamDescription{as in other \cgal packages. It is read by several threads at once, unless
- *         `ConcurrencyTag` is `Sequential_tag`. If the mesh is open, the map must accept new vertices, which close the
- *         mesh during the edit.}
+ *       \cgalParamDescription{a property map from the vertices of `mesh` to their points, which must accept new
+ *         vertices. Unless `ConcurrencyTag` is `Sequential_tag`, it is read concurrently.}
+ *       \cgalParamType{a model of `ReadWritePropertyMap`}
+ *       \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
  *
- * \cgalHeading{Proofs} As for `simplify_in_shell()`. For a `Surface_mesh` without garbage and without frozen facets,
- *   facets are proved during the edit only where an estimate is doubtful. If the edit is repeated, `target_edge_length`
- *   is called again from the beginning, and the map of constrained edges has its original values.
+ * \cgalHeading{Proofs} As for `simplify_in_shell()`. For a `Surface_mesh` without garbage and without frozen facets, a
+ *   created facet is proved only if an estimate does not decide. If the edit is repeated, `target_edge_length` is
+ *   called again from the beginning, and the map of constrained edges has its original values.
  *
- * \cgalHeading{Cost} An operation costs the estimates or the proofs for the facets at one vertex, and a move also costs
- *   a projection. Moves take most of the time; vertices without a common edge are moved concurrently. Other operations
- *   are sequential. The certificate costs as much as for any mesh in the shell. Locations cost a tree of the result's
- *   facets, and a few microseconds per vertex and core.
+ * \cgalHeading{Cost} An operation takes the time of the estimates or proofs for the facets at one vertex, and a move
+ *   also that of a projection. Moves take most of the time; vertices without a common edge are moved concurrently.
+ *   Other operations are sequential. The certificate takes as long as for any mesh in the shell. `locate_vertices`
+ *   builds a search tree for the facets of the result, and projects each vertex.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename TriangleMesh, typename Sizing, typename Field,
           typename Threshold, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -161,7 +164,7 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
 
   typedef typename GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
   static_assert(std::is_same<typename Geom_traits::FT, double>::value,
-                "The coordinates must be doubles: others would be rounded.");
+                "The coordinates must be of type double: other types would be rounded.");
   typedef typename GetVertexPointMap<TriangleMesh, CGAL_NP_CLASS>::type Vertex_point_map;
   typedef typename boost::property_traits<Vertex_point_map>::value_type Point; // the mesh's
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;

@@ -33,7 +33,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief the report of a simplification, and the images of the vertices.
+ * \brief the result of `simplify_in_shell()`: the report, and the vertices of the result into which vertices were
+ * collapsed.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
  */
@@ -45,84 +46,89 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *
  * \brief simplifies a mesh in a shell by edge collapses.
  *
- * After every collapse, all facets still lie in the shell and face along the gradient. The result is certified anew: it
- * has no self-intersections, and the integral curves map it one-to-one onto the original mesh.
+ * An edge is collapsed only if each facet that this creates is accepted: it is proved or estimated (see *Proofs* below)
+ * to lie in the shell and to face along the gradient. A facet faces along the gradient if its normal and the gradient
+ * form an acute angle at each of its points. The result is certified as a whole; otherwise, the mesh is restored unless
+ * facets are frozen. A certified result has no self-intersections. The integral curves map it one-to-one onto every
+ * other mesh that is certified in the same shell, in particular the mesh for which a certified shell was built.
  *
- * Edges are collapsed by `CGAL::Surface_mesh_simplification::edge_collapse()`, cheapest first, under `Shell_filter`. If
- * the policy's placement is rejected, others are tried in the order of their costs: the ends and the midpoint of the
- * edge, and the policy's placement and the midpoint, moved along the gradient to the level of the edge. A rejected edge
- * is considered again when its neighborhood has changed. Edges of length zero are collapsed first, which does not
- * change the shape.
+ * Edges are collapsed by `CGAL::Surface_mesh_simplification::edge_collapse()` with `Shell_filter`, cheapest first. If
+ * the policy's placement is rejected, other placements are tried in the order of their costs: the ends and the midpoint
+ * of the edge, and the policy's placement and the midpoint, moved along the gradient to the mean value of the field at
+ * the ends. A rejected edge is considered again when its neighborhood has changed. Edges of length zero are collapsed
+ * first, which does not change the surface.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for all proofs; the result is
- *   the same
- * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, copyable, with points of
- *   any kernel whose `FT` is `double`
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`, used for proofs; all give
+ *   the same result
+ * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph`, and `HalfedgeListGraph`; copyable, with points
+ *   of a kernel whose `FT` is `double`
  *
- * \param mesh a closed mesh in the shell, or one that `Bspline_shell_3::closing()` closes; often the mesh that the
- *   shell was built for. If it is not edited, it is either untouched or restored. It is restored if the status is
- *   `NOT_CERTIFIED`, `TIME_LIMIT_EXCEEDED` or `NOT_CLOSABLE`. With the status `NOT_IN_SHELL`, it is restored in two
- *   cases: if it has tips that `Bspline_shell_3::truncation()` replaces, because it is truncated first; and if an
- *   estimate accepted all of its facets at first. The property maps of a restored `Surface_mesh` have their original
- *   values, and so has the map of constrained edges, wherever it stores them. The elements of other restored meshes are
- *   new: descriptors and other maps of the caller are invalid. Constrained edges that lead to a tip end where it is
- *   cut.
+ * \param mesh a closed mesh in the shell, or a mesh with the border of `Bspline_shell_3::closing()`; often the mesh for
+ *   which the shell was built. Unless it was edited, it is unchanged at the end. After the statuses `NOT_CERTIFIED`,
+ *   `TIME_LIMIT_EXCEEDED`, and `NOT_CLOSABLE`, it was restored; after `NOT_IN_SHELL`, it was restored if the shell
+ *   truncates some of its tips, or if an estimate accepted all of its facets at first. The property maps of a restored
+ *   `Surface_mesh` have their original values; so does the map of constrained edges of every mesh. Other restored
+ *   meshes have new elements, so that descriptors and other property maps of the caller are invalid. Constrained edges
+ *   that lead to a truncated tip end where the tip is cut off.
  * \param shell a shell; it may be certified for another mesh
  * \param np optional named parameters:
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{stop}
- *       \cgalParamDescription{a model of `StopPredicate`, such as `Facet_count_stop_predicate` or those of \cgal. It is
- *         called for each edge that is considered, and can thus show progress or cancel: the collapses that were done
- *         until then are certified and kept. By default, the mesh becomes as coarse as the shell allows. If the target
- *         of a predicate is not reached, `Edit_report::end` is the reason.}
+ *       \cgalParamDescription{a model of `StopPredicate`, such as `Facet_count_stop_predicate` or a predicate of \cgal.
+ *         It is called for each edge that is considered, and can thus show progress or cancel; the mesh simplified so
+ *         far is then certified and kept. By default, the mesh becomes as coarse as the shell allows.
+ *         `Edit_report::end` is the reason why the simplification ended.}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{get_cost}
- *       \cgalParamDescription{models of `GetCost` and `GetPlacement`, both or none. The other policies of \cgal can be
- *         used, too.}
+ *       \cgalParamDescription{a model of `GetCost`, for example of another policy of \cgal; it must be given together
+ *         with `get_placement`}
  *       \cgalParamDefault{`CGAL::Surface_mesh_simplification::GarlandHeckbert_plane_policies`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{get_placement}
- *       \cgalParamDescription{models of `GetCost` and `GetPlacement`, both or none. The other policies of \cgal can be
- *         used, too.}
+ *       \cgalParamDescription{a model of `GetPlacement`; it must be given together with `get_cost`}
  *       \cgalParamDefault{`CGAL::Surface_mesh_simplification::GarlandHeckbert_plane_policies`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{filter}
  *       \cgalParamDescription{a model of `PlacementFilter`, called before the shell's filter for every placement that
- *         is tried. Pass `std::cref(filter)` to avoid a copy.}
+ *         is tried; it is copied unless it is passed by `std::cref()`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
- *       \cgalParamDescription{a model of `EdgeCollapseSimplificationVisitor`. Pass `std::ref(visitor)` to avoid a copy.
- *         For a selected edge, the calls are `OnSelected()`, the stop predicate, the filter once for each placement
- *         that is tried, `OnCollapsing()` and `OnCollapsed()`, or `OnNonCollapsable()`. Placements that are too
- *         expensive are deferred, so that `OnCollected()` may be called more than once for an edge.}
+ *       \cgalParamDescription{a model of `EdgeCollapseSimplificationVisitor`, which is copied unless it is passed by
+ *         `std::ref()`. For a selected edge, the calls are `OnSelected()`, the stop predicate, the filter once for each
+ *         placement that is tried, and then either `OnCollapsing()` and `OnCollapsed()`, or `OnNonCollapsable()`. A
+ *         placement that costs much more than the policy's is deferred to a later pass over the edges, in which
+ *         `OnCollected()` is called again.}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{edge_is_constrained_map}
  *       \cgalParamDescription{a model of `ReadablePropertyMap`. Constrained edges are kept, and their vertices do not
  *         move.}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{protect_constraints}
- *       \cgalParamDescription{if `true`, the default, each constrained edge is kept. If `false`, constrained edges are
- *         collapsed along themselves, as in `remesh_in_shell()` by default. A vertex where exactly two of them meet may
- *         vanish in favor of one of its neighbors on them. Ends, and vertices where more of them meet, do not move. The
- *         rest of a polyline connects some of its original vertices; `Edit_report::constrained_edges` is the number of
- *         edges. The map follows the edges. If this parameter is given, the map must be a model of
- *         `ReadWritePropertyMap`. The shell bounds the distance of a polyline from the mesh, but not its motion along
- *         the mesh; the costs or a `filter` do. A constrained edge next to an edge of length zero is kept as long as
- *         the latter exists.}
+ *       \cgalParamDescription{if `true`, each constrained edge is kept. If `false`, as in `remesh_in_shell()` by
+ *         default, polylines of constrained edges are simplified: a vertex where exactly two constrained edges meet may
+ *         be merged into one of its neighbors along them. Ends, and vertices where more constrained edges meet, do not
+ *         move. A simplified polyline connects some of its original vertices; `Edit_report::constrained_edges` is the
+ *         number of constrained edges of the result. The property map is updated; if this parameter is given, it must
+ *         be a model of `ReadWritePropertyMap`. The shell bounds the distance of a polyline from the mesh, but not its
+ *         motion along the mesh, which only the costs or a `filter` limit. A constrained edge that shares a vertex with
+ *         an edge of length zero is kept as long as the latter exists.}
  *       \cgalParamType{`bool`}
+ *       \cgalParamDefault{`true`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{freeze_rejected_facets}
- *       \cgalParamDescription{if `false`, the default, a mesh with facets that are not proved to lie in the shell and
- *         to face along the gradient is rejected. If `true`, these facets are frozen: none of their vertices is moved
- *         or removed, and edges with an end at one of these are not collapsed. If all facets at a vertex are accepted,
- *         but their fan does not wind once, they are frozen, too. The other facets are edited; see
+ *       \cgalParamDescription{if `false`, a mesh with facets that are not proved to lie in the shell and to face along
+ *         the gradient is rejected. If `true`, these facets are frozen: their vertices are neither moved nor removed,
+ *         and edges with a frozen vertex are not collapsed. The facets at a vertex around which they do not wind
+ *         exactly once are frozen as well, even if each of them is accepted. The other facets are edited; see
  *         `Edit_status::PARTIALLY_EDITED`.}
  *       \cgalParamType{`bool`}
+ *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{time_limit}
- *       \cgalParamDescription{seconds after which the status is `TIME_LIMIT_EXCEEDED` and the mesh is restored;
- *         unlimited by default. To keep the collapses that were done until some time, use `stop`.}
+ *       \cgalParamDescription{seconds after which the status is `TIME_LIMIT_EXCEEDED` and the mesh is restored. To keep
+ *         a partial result, use `stop`.}
  *       \cgalParamType{`double`}
+ *       \cgalParamDefault{infinite}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{locate_vertices}
  *       \cgalParamDescription{whether `Edit_result::locations` is filled}
@@ -130,24 +136,27 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{vertex_point_map}
- *       \cgalParamDescription{as in other \cgal packages. It is read by several threads at once, unless
- *         `ConcurrencyTag` is `Sequential_tag`. If the mesh is open, the map must accept new vertices, which close the
- *         mesh during the edit.}
+ *       \cgalParamDescription{a property map from the vertices of `mesh` to their points. Unless `ConcurrencyTag` is
+ *         `Sequential_tag`, it is read concurrently. If the mesh is open, the map must accept new vertices, which close
+ *         the mesh during the edit.}
+ *       \cgalParamType{a model of `ReadWritePropertyMap`}
+ *       \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
  *
- * \cgalHeading{Proofs} The certificate proves the result. Most facets that are created are removed later. During the
- *   edit, facets are therefore proved only where an estimate from a few points is doubtful. If the certificate fails,
- *   and not because of the shell itself, the mesh is restored and simplified with a proof for each facet
- *   (`Edit_report::is_repeated`). A map of constrained edges then has its original values. This is only done where the
- *   rollback is not observable: for a `Surface_mesh` without garbage, and without a visitor, a filter, frozen facets,
- *   and stop predicates other than `Facet_count_stop_predicate` and `Never_stop_predicate`. Otherwise, all facets are
- *   proved immediately. Costs are initialized for each run, as in \cgal.
+ * \cgalHeading{Proofs} The certificate proves the result, whatever was accepted before. Most facets that are created
+ *   are removed later. During the edit, a facet is therefore proved only if an estimate from a few points does not
+ *   decide. If the certificate then fails, and not because of the shell itself, the mesh is restored and simplified
+ *   again with a proof for each facet (`Edit_report::is_repeated`). This is done only where the rollback cannot be
+ *   observed: for a `Surface_mesh` without garbage, and without a visitor, a filter, frozen facets, and stop predicates
+ *   other than `Facet_count_stop_predicate` and `Never_stop_predicate`. Otherwise, every created facet is proved
+ *   immediately. The costs of the policy are initialized again for the repetition, and a map of constrained edges has
+ *   its original values.
  *
- * \cgalHeading{Cost} For each facet at one vertex, a collapse costs evaluations of the field at some points, or a
- *   proof. A proof needs a bound for each cell that the facet passes through. The certificate costs as much as for any
- *   mesh in the shell; a mesh that cannot be certified costs two runs. Locations cost a tree of the result's facets,
- *   and a few microseconds per vertex and core.
+ * \cgalHeading{Cost} For each facet at the new vertex, a collapse evaluates the field at a few points, or proves the
+ *   facet with a bound for each cell that it passes through. The certificate takes as long as for any mesh in the
+ *   shell; if it fails, the mesh may be simplified twice. `locate_vertices` builds a search tree for the facets of the
+ *   result, and projects each vertex.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename TriangleMesh, typename Field,
           typename Threshold, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -164,7 +173,7 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
 
   typedef typename GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
   static_assert(std::is_same<typename Geom_traits::FT, double>::value,
-                "The coordinates must be doubles: others would be rounded.");
+                "The coordinates must be of type double: other types would be rounded.");
   typedef typename GetVertexPointMap<TriangleMesh, CGAL_NP_CLASS>::type Vertex_point_map;
   typedef Edit_status Status;
 
@@ -192,7 +201,7 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
   if(usable != Status::SUCCESS) return ended(usable);
 
   auto&& visitor = internal::argument<Default_collapse_visitor>(np, internal_np::visitor);
-  // A rollback is not observable; costs are initialized for each run.
+  // The rollback before a repetition must not be observable.
   constexpr bool may_repeat = is_default_parameter<CGAL_NP_CLASS, internal_np::visitor_t>::value
                               && is_default_parameter<CGAL_NP_CLASS, internal_np::filter_t>::value
                               && (std::is_same<decltype(stop), const Never_stop_predicate>::value
@@ -230,7 +239,7 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
         const internal::Retrying_placement<Cost, Placement, Filter, Field, Rules> retrying(cost, placement, filter,
                                                                                            shell.field(), rules, state);
         static_cast<History&>(history).OnStarted(mesh);
-        // Placements that are too expensive wait for a later run.
+        // Placements that cost too much more than the policy's are deferred to later passes.
         for(double allowance : { 1., 16., 256., std::numeric_limits<double>::infinity() }) {
           state.allowance = allowance;
           state.has_deferred = false;
@@ -247,7 +256,8 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
       };
       constexpr bool has_cost = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_cost_policy_t>::value;
       constexpr bool has_placement = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_placement_policy_t>::value;
-      static_assert(has_cost == has_placement, "Cost and placement belong together: give both, or none.");
+      static_assert(has_cost == has_placement,
+                    "Cost and placement belong together: pass both get_cost and get_placement, or neither.");
       if constexpr(has_cost) {
         collapse(get_parameter_reference(np, internal_np::get_cost_policy),
                  get_parameter_reference(np, internal_np::get_placement_policy));

@@ -14,7 +14,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief stops the simplification of a closed triangle mesh when it has no more than the requested number of facets.
+ * \brief stops a simplification when the triangle mesh has no more than the requested number of facets; outside of
+ * `simplify_in_shell()`, the mesh must be closed.
  *
  * \cgalModels `StopPredicate`
  */

@@ -32,17 +32,18 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Field
  *
- * \brief A piecewise tricubic \f$C^2\f$ function on cells of different sizes, by truncated hierarchical B-splines.
+ * \brief a piecewise tricubic \f$C^2\f$ function on cells of different sizes, in terms of truncated hierarchical
+ * B-splines.
  *
  * There is a coefficient at every lattice point of level \f$l\f$ whose function acts on a leaf of level \f$l\f$. It is
  * *free* if the function acts on no coarser leaf. Free coefficients are the unknowns of the field, and their functions
- * are linearly independent. Otherwise the coefficient *depends* on those of the level above, by the two-scale relation:
- * there, the field continues the coarser splines. The grading of `Cell_hierarchy_3` ensures that the coefficients above
+ * are linearly independent. Other coefficients *depend* on those of the level above by the two-scale relation, so that
+ * the field continues the coarser splines there. The grading of `Cell_hierarchy_3` ensures that the coefficients above
  * are free. On a leaf, the field is the tricubic with the 64 coefficients of its level. In the terms of the literature,
  * the basis is truncated, and the mesh is admissible of class two.
  *
  * The field is defined by its free coefficients, which are `double`s. Copies share the cells. Const member functions
- * may be called from several threads at once.
+ * may be called concurrently.
  *
  * \cgalModels `FittableBsplineField_3`
  *
@@ -61,7 +62,7 @@ public:
 
   Hierarchical_bspline_field_3() = default;
 
-  /// Constructs the zero function on the cells.
+  /// constructs the zero function on the cells
   explicit Hierarchical_bspline_field_3(Cell_hierarchy_3 cells)
     : m_basis(std::make_shared<const Basis>(std::move(cells)))
   {
@@ -71,8 +72,8 @@ public:
     m_error_radius.assign(number_of_cells(), internal::conversion_radius(0, may_have_dependent));
   }
 
-  /// Returns another function on the same cells, with the free coefficients `x` in user units. Like copies, both fields
-  /// share the cells.
+  /// returns another function on the same cells, with the free coefficients `x`. Like copies, the two fields share the
+  /// cells.
   /// \pre `x.size() == number_of_coefficients()`
   template <typename ConcurrencyTag = Sequential_tag>
   Hierarchical_bspline_field_3 with_coefficients(Eigen::VectorXd x) const
@@ -91,15 +92,15 @@ public:
   {
     return Cell(cells().corner(c), cells().width(c), &m_bernstein[std::size_t(c) * 64], m_error_radius[c]);
   }
-  /// Returns a leaf that contains `p`, or `npos` outside the domain.
+  /// returns a leaf that contains `p`, or `npos` outside the domain
   Cell_index locate(const Point_3& p) const { return cells().locate(p); }
-  /// Calls `visit(n)` for all leaves that share a part of the given face of `c`; returns whether there are any.
+  /// calls `visit(n)` for all leaves that share a part of the given face of `c`; returns whether there are any
   template <typename Visitor>
   bool visit_neighbors(Cell_index c, int axis, bool positive, const Visitor& visit) const
   {
     return cells().visit_neighbors(c, axis, positive, visit);
   }
-  /// Calls `visit(c)` for all leaves that meet the closed box; returns whether they cover the box.
+  /// calls `visit(c)` for all leaves that meet the closed box; returns whether they cover the box
   template <typename Visitor>
   bool visit_cells(const Bbox_3& box, const Visitor& visit) const
   {
@@ -109,24 +110,24 @@ public:
   /// @}
 
   /// \name B-spline Coefficients
-  /// Free coefficients are the unknowns of a fit. They are numbered finest level first. The lattice points, whose
-  /// coefficients are free or dependent, are numbered in the same way.
+  /// Free coefficients are the unknowns of a fit. They are numbered with the finest level first. The lattice points,
+  /// whose coefficients are free or dependent, are numbered in the same way.
   /// @{
   std::size_t number_of_coefficients() const { return m_basis->point_of_coefficient.size(); }
   const Eigen::VectorXd& coefficients() const { return m_coefficients; }
 
   int number_of_levels() const { return cells().number_of_levels(); }
   std::size_t number_of_points() const { return m_basis->coefficient_of_point.size(); }
-  /// Returns the lattice points of a level that have a coefficient.
+  /// returns the lattice points of a level that have a coefficient
   const Lattice_set_3& points(int level) const { return m_basis->levels[std::size_t(level)].points; }
-  /// Returns the number of the first lattice point of a level.
+  /// returns the index of the first lattice point of a level
   Cell_index first_point(int level) const { return m_basis->levels[std::size_t(level)].first_point; }
-  /// Returns the free coefficient at a point, or `npos` if its coefficient is dependent.
+  /// returns the free coefficient at a point, or `npos` if its coefficient is dependent
   Cell_index coefficient_of_point(Cell_index n) const { return m_basis->coefficient_of_point[n]; }
   Cell_index point_of_coefficient(Cell_index n) const { return m_basis->point_of_coefficient[n]; }
 
-  /// Calls `visit(n, weight)` for the free coefficients whose weighted sum is the dependent coefficient at a lattice
-  /// point of a level.
+  /// calls `visit(n, weight)` for the free coefficients whose weighted sum is the dependent coefficient at a lattice
+  /// point of a level
   template <typename Visitor>
   void visit_parents(int level, const Lattice_3::Point& p, const Visitor& visit) const
   {
@@ -135,7 +136,7 @@ public:
     });
   }
 
-  /// Returns the coefficients at all points, from the free coefficients `x`.
+  /// returns the coefficients at all points, from the free coefficients `x`
   template <typename ConcurrencyTag = Sequential_tag>
   Eigen::VectorXd extend(const Eigen::VectorXd& x) const
   {
@@ -154,7 +155,7 @@ public:
     return all;
   }
 
-  /// Applies the transpose of `extend()`.
+  /// applies the transpose of `extend()`
   Eigen::VectorXd collect(const Eigen::VectorXd& all) const
   {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(Eigen::Index(number_of_coefficients()));
@@ -169,8 +170,8 @@ public:
     return x;
   }
 
-  /// Returns, for each of the sixteen rows of coefficients that act on the leaf, the point of the first of its four
-  /// consecutive coefficients.
+  /// returns, for each of the sixteen rows of coefficients that act on the leaf, the point of the first of its four
+  /// consecutive coefficients
   std::array<Cell_index, 16> coefficient_rows(Cell_index c) const
   {
     const int l = cells().level(c);
@@ -182,8 +183,8 @@ public:
     return rows;
   }
 
-  /// Calls `visit(n, coefficient, weight)` for the free coefficients whose weighted sum is the `n`-th of the 64
-  /// coefficients that act on a leaf.
+  /// calls `visit(n, coefficient, weight)` for the free coefficients whose weighted sum is the `n`-th of the 64
+  /// coefficients that act on a leaf
   template <typename Visitor>
   void visit_coefficients(Cell_index c, const Visitor& visit) const
   {
@@ -198,7 +199,7 @@ public:
     }
   }
 
-  /// Returns the open box on which the function of a free coefficient does not vanish, rounded inwards. The box may
+  /// returns the open box on which the function of a free coefficient does not vanish, rounded inward. The box may
   /// extend beyond the domain.
   Bbox_3 support(Cell_index coefficient) const
   {
@@ -208,7 +209,7 @@ public:
     return support(l, points(l).point(point - first_point(l)));
   }
 
-  /// Calls `visit(coefficient, support)` for the free coefficients whose supports may meet a box.
+  /// calls `visit(coefficient, support)` for the free coefficients whose supports may meet a box
   template <typename Visitor>
   void visit_coefficients_near(const Bbox_3& box, const Visitor& visit) const
   {
@@ -226,7 +227,7 @@ public:
     }
   }
 
-  /// Returns the 64 Bernstein coefficients of a leaf, from the free coefficients; exact if the number type is.
+  /// returns the 64 Bernstein coefficients of a leaf, from the free coefficients; exact if the number type is exact
   template <typename NT>
   std::array<NT, 64> bernstein_coefficients(Cell_index c) const
   {
@@ -247,14 +248,14 @@ public:
     return b;
   }
 
-  /// Replaces all free coefficients, in user units.
+  /// replaces all free coefficients
   /// \pre `x.size() == number_of_coefficients()`
   template <typename ConcurrencyTag = Sequential_tag>
   void set_coefficients(Eigen::VectorXd x)
   {
     CGAL_precondition(std::size_t(x.size()) == number_of_coefficients());
     m_coefficients = std::move(x);
-    // The size of each coefficient, or of the largest free one that it depends on, if this is larger.
+    // The absolute value of each coefficient, or of the largest free coefficient on which it depends if that is larger.
     const Eigen::VectorXd all = extend<ConcurrencyTag>(m_coefficients);
     Eigen::VectorXd largest = all.cwiseAbs();
     for_each_point<ConcurrencyTag>([&](int l, Cell_index n, Cell_index point) {
@@ -263,7 +264,7 @@ public:
           largest[point] = (std::max)(largest[point], std::abs(m_coefficients[parent]));
         });
     });
-    double* bernstein = new double[64 * number_of_cells()]; // uninitialized, as several threads write all of it
+    double* bernstein = new double[64 * number_of_cells()]; // uninitialized, because threads write all of it
     m_bernstein.reset(bernstein);
     m_error_radius.resize(number_of_cells());
     internal::for_each_chunk<ConcurrencyTag>(number_of_cells(), 256, [&](std::size_t begin, std::size_t end) {
@@ -273,7 +274,7 @@ public:
   /// @}
 
 private:
-  // Calls f(level, number in the level, number) for all points.
+  // Calls f(level, index in the level, index) for all points.
   template <typename ConcurrencyTag, typename Function>
   void for_each_point(const Function& f) const
   {

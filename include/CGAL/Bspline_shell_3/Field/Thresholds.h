@@ -24,7 +24,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Field
  *
- * \brief A threshold that has the same value everywhere, as in the paper.
+ * \brief a constant threshold.
  *
  * \cgalModels `ShellThreshold`
  */
@@ -34,10 +34,10 @@ public:
   static constexpr bool is_constant = true;
 
   explicit Constant_threshold(double level = 0) : m_level(level) {}
-  double level() const { return m_level; } ///< value of the threshold, in units of the field
+  double level() const { return m_level; } ///< value of the threshold
   bool operator==(const Constant_threshold& other) const { return m_level == other.m_level; }
 
-  /// Returns `true`, as the threshold is tricubic on the leaf cells of any field.
+  /// returns `true`, because the threshold is tricubic on the leaf cells of every field
   template <typename Field>
   bool has_cells_of(const Field&) const
   {
@@ -55,10 +55,10 @@ public:
     return m_level;
   }
 
-  /// Encloses the threshold on a leaf cell.
+  /// encloses the threshold on a leaf cell
   Level_range range(std::uint32_t /* cell */) const { return { m_level, m_level }; }
 
-  /// Returns a function minus the threshold, on a leaf cell.
+  /// returns a function minus the threshold, on a leaf cell
   Enclosed_tricubic difference(const Enclosed_tricubic& f, std::uint32_t /* cell */) const
   {
     Enclosed_tricubic constant;
@@ -73,7 +73,7 @@ private:
 /*!
  * \ingroup PkgBsplineShell3Field
  *
- * \brief A threshold that varies in space: a field on the same leaf cells, shared by copies.
+ * \brief a threshold that varies in space: a field on the same leaf cells, shared by copies.
  *
  * \cgalModels `ShellThreshold`
  *
@@ -86,12 +86,12 @@ public:
   static constexpr bool is_constant = false;
 
   Spline_threshold() = default; ///< no threshold
-  /// \pre `field` has the cells, with the same numbers, of the field that it is a threshold of: `has_cells_of()`
+  /// \pre `field` has the same cells, with the same indices, as the field of the shell (`has_cells_of()`)
   explicit Spline_threshold(Field field) : m_data(std::make_shared<const Data>(std::move(field))) {}
 
   const Field& field() const { return m_data->field; }
 
-  /// Returns `true` if both are the same function on the same cells.
+  /// returns whether the two thresholds are the same function on the same cells
   bool operator==(const Spline_threshold& other) const
   {
     if(m_data == other.m_data || !m_data || !other.m_data) return m_data == other.m_data;
@@ -99,7 +99,7 @@ public:
     return a.size() == b.size() && a == b && has_cells_of(other.field());
   }
 
-  /// Returns `true` if the threshold has the leaf cells of a field, with the same numbers.
+  /// returns whether the threshold has the leaf cells of a field, with the same indices
   template <typename OtherField>
   bool has_cells_of(const OtherField& other) const
   {
@@ -118,10 +118,10 @@ public:
     const double constant = this->constant(cell);
     return std::isnan(constant) ? field().cell(cell).value(p) : constant;
   }
-  /// Returns the common value of all coefficients on a leaf cell, or NaN if they differ. On most cells, they are equal.
+  /// returns the common value of all coefficients on a leaf cell, or NaN if they differ. On most cells, they are equal.
   double constant(std::uint32_t cell) const { return m_data->constants[cell]; }
 
-  /// Encloses the threshold on a leaf cell.
+  /// encloses the threshold on a leaf cell
   Level_range range(std::uint32_t cell) const
   {
     const double constant = this->constant(cell);
@@ -160,7 +160,7 @@ private:
 };
 
 /// \ingroup PkgBsplineShell3Field
-/// Encloses both thresholds on a leaf cell.
+/// encloses the two thresholds on a leaf cell
 template <typename Threshold>
 Level_range threshold_range(const Threshold& inner, const Threshold& outer, std::uint32_t cell)
 {

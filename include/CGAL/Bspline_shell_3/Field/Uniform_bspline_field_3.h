@@ -28,11 +28,12 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Field
  *
- * \brief A piecewise tricubic \f$C^2\f$ function on a set of equal cells: \f$f(v) = \sum_g \lambda_g B_g(v)\f$ (Eq. 3.3
- * of the paper). The sum is over all lattice points \f$g\f$ whose function does not vanish on all cells.
+ * \brief a piecewise tricubic \f$C^2\f$ function on a set of equal cells: \f$f(v) = \sum_g \lambda_g B_g(v)\f$ (Eq. 3.3
+ * of \cgalCite{CubicBsplineShell2025}). The sum is over all lattice points \f$g\f$ whose function does not vanish on
+ * all cells.
  *
- * The field is defined by its coefficients \f$\lambda_g\f$, which are `double`s. Bernstein coefficients of the cells
- * are stored with them. Const member functions may be called from several threads at once.
+ * The field is defined by its coefficients \f$\lambda_g\f$, which are `double`s. The Bernstein coefficients of the
+ * cells are stored as well. Const member functions may be called concurrently.
  *
  * \cgalModels `FittableBsplineField_3`
  *
@@ -50,7 +51,7 @@ public:
 
   Uniform_bspline_field_3() = default;
 
-  /// Constructs the zero function on the cells.
+  /// constructs the zero function on the cells
   explicit Uniform_bspline_field_3(Cell_complex_3 cells) : m_cells(std::move(cells))
   {
     std::vector<std::uint64_t> keys;
@@ -71,9 +72,9 @@ public:
   {
     return Cell(m_cells.corner(c), m_cells.width(), &m_bernstein[std::size_t(c) * 64], m_error_radius[c]);
   }
-  /// Returns a cell that contains `p`, or `npos` outside the domain.
+  /// returns a cell that contains `p`, or `npos` outside the domain
   Cell_index locate(const Point_3& p) const { return m_cells.locate(p); }
-  /// Calls `visit(n)` for the cell across a face of `c`; returns whether there is one.
+  /// calls `visit(n)` for the cell across a face of `c`; returns whether there is one
   template <typename Visitor>
   bool visit_neighbors(Cell_index c, int axis, bool positive, const Visitor& visit) const
   {
@@ -81,7 +82,7 @@ public:
     if(n != npos) visit(n);
     return n != npos;
   }
-  /// Calls `visit(c)` for all cells that meet the closed box; returns whether they cover the box.
+  /// calls `visit(c)` for all cells that meet the closed box; returns whether they cover the box
   template <typename Visitor>
   bool visit_cells(const Bbox_3& box, const Visitor& visit) const
   {
@@ -95,7 +96,7 @@ public:
   /// @{
   std::size_t number_of_coefficients() const { return m_functions.size(); }
   const Eigen::VectorXd& coefficients() const { return m_coefficients; }
-  /// Returns the lattice points at which the functions are centered, in the order of the coefficients.
+  /// returns the lattice points at which the functions are centered, in the order of the coefficients
   const Lattice_set_3& functions() const { return m_functions; }
 
   /// \name As a Hierarchy
@@ -112,8 +113,8 @@ public:
   Eigen::VectorXd collect(Eigen::VectorXd all) const { return all; }
   /// @}
 
-  /// Returns, for each of the sixteen rows of coefficients that act on the cell, the number of the first of its four
-  /// consecutive coefficients.
+  /// returns, for each of the sixteen rows of coefficients that act on the cell, the index of the first of its four
+  /// consecutive coefficients
   std::array<Cell_index, 16> coefficient_rows(Cell_index c) const
   {
     const Lattice_3::Point& p = m_cells.lattice_point(c);
@@ -123,7 +124,7 @@ public:
     return rows;
   }
 
-  /// Returns the 64 B-spline coefficients that act on a cell.
+  /// returns the 64 B-spline coefficients that act on a cell
   std::array<double, 64> local_coefficients(Cell_index c) const
   {
     const std::array<Cell_index, 16> rows = coefficient_rows(c);
@@ -133,7 +134,7 @@ public:
     return local;
   }
 
-  /// Returns the 64 Bernstein coefficients of a cell, from the B-spline coefficients; exact if the number type is.
+  /// returns the 64 Bernstein coefficients of a cell, from the B-spline coefficients; exact if the number type is exact
   template <typename NT>
   std::array<NT, 64> bernstein_coefficients(Cell_index c) const
   {
@@ -144,7 +145,7 @@ public:
     return b;
   }
 
-  /// Replaces all coefficients, in user units.
+  /// replaces all coefficients
   /// \pre `x.size() == number_of_coefficients()`
   template <typename ConcurrencyTag = Sequential_tag>
   void set_coefficients(Eigen::VectorXd x)

@@ -14,11 +14,11 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Field
  *
- * \brief Returns `true` if two fields are evaluated from the same numbers in a cell.
+ * \brief returns whether two fields are evaluated from the same numbers in a cell.
  *
  * \tparam Field `Hierarchical_bspline_field_3`
  * \param f,g the fields
- * \param c,d the number of the cell in `f` and in `g`
+ * \param c,d the index of the cell in `f` and in `g`
  */
 template <typename Field>
 bool is_same_in_cell(const Field& f, typename Field::Cell_index c, const Field& g, typename Field::Cell_index d)

@@ -36,13 +36,14 @@ double coefficient_at(const Field& field, const Eigen::VectorXd& all, int level,
 /*!
  * \ingroup PkgBsplineShell3Field
  *
- * \brief Returns the free coefficients of the same function on finer cells.
+ * \brief returns the free coefficients of the same function on finer cells; takes time linear in the size of the
+ * fields.
  *
- * If both fields have a leaf, and its coefficients depend on the same free ones in both, the function is represented by
- * the same `double`s there. The cost is linear in the size of the fields.
+ * On a leaf of both fields whose coefficients depend on the same free coefficients in both, the function is represented
+ * by the same `double`s.
  *
  * \tparam Field `Hierarchical_bspline_field_3`
- * \param coarse a field with the cells and functions; its coefficients are not used
+ * \param coarse a field with the cells and functions; its coefficients are ignored
  * \param x free coefficients on the cells of `coarse`
  * \param fine a field on cells into which the cells of `coarse` were split
  */

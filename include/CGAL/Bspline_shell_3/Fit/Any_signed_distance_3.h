@@ -51,8 +51,8 @@ public:
 
   FT operator()(const Point_3& p) const { return m_at(p); }
 
-  /// computes the distances of points of which successive ones are close to each other. For a mesh, this is faster: the
-  /// search for each point starts at the closest facet of the previous one.
+  /// computes the distances of points, each of which is close to the previous one. For a mesh, this is faster, because
+  /// the search for each point starts at the closest facet of the previous one.
   /// \param[out] distances one distance for each point
   void operator()(const std::vector<Point_3>& points, double* distances) const { m_along(points, distances); }
 

@@ -23,10 +23,10 @@ namespace Bspline_shells {
  *
  * \brief a type-erased reference to a model of `SPDSolver`, so that fits are compiled only once.
  *
- * Solutions are checked. The status is `Solver_status::WRONG_SOLUTION` if a solver returns `SUCCESS`, but its solution
- * has a wrong size or a relative residual \f$|b - Ax| / |b|\f$ of more than 1/10. The zero vector has a residual of 1.
- * With a residual of 1/10, at most one digit of the right-hand side is reproduced: no useful tolerance is larger. A
- * check costs about as much as one iteration of conjugate gradients.
+ * Solutions are checked. If a solver returns `SUCCESS`, but its solution has a wrong size or a relative residual \f$|b
+ * - Ax| / |b|\f$ of more than 1/10, the status is `Solver_status::WRONG_SOLUTION`. No useful tolerance is larger: with
+ * a residual of 1/10, at most one digit of the right-hand side is reproduced. A check takes about as long as one
+ * iteration of conjugate gradients.
  *
  * \cgalModels `SPDSolver`
  */
@@ -45,7 +45,7 @@ public:
   Any_spd_solver(Solver& solver, bool is_checked = true)
     : Any_spd_solver(solver, is_checked, std::make_shared<const Matrix*>(nullptr))
   {}
-  Any_spd_solver(Any_spd_solver&) = default; // preferred to the template
+  Any_spd_solver(Any_spd_solver&) = default; // preferred over the template
   Any_spd_solver(const Any_spd_solver&) = default;
 
   /// \name Operations
@@ -58,7 +58,7 @@ public:
   /// @}
 
 private:
-  // `matrix` points to the last matrix, since both operations need it.
+  // `matrix` points to the last matrix, because both operations need it.
   template <typename Solver>
   Any_spd_solver(Solver& solver, bool is_checked, const std::shared_ptr<const Matrix*>& matrix)
     : compute([&solver, matrix](const Matrix& lower, const Unknown_blocks& blocks) {

@@ -22,8 +22,8 @@ namespace Bspline_shells {
  *
  * \brief supernodal Cholesky factorization with CHOLMOD, through Eigen.
  *
- * Exact up to rounding, and much slower than the default solver for more than about ten thousand unknowns. A program
- * that includes this header must be linked with CHOLMOD (SuiteSparse).
+ * Solutions are exact up to rounding. For more than about ten thousand unknowns, it is much slower than the default
+ * solver. A program that includes this header must be linked with CHOLMOD (SuiteSparse).
  *
  * \cgalModels `SPDSolver`
  */
@@ -46,7 +46,7 @@ public:
   {
     m_matrix = &lower;
     m_solver.analyzePattern(lower);
-    // If there is no symbolic factor, which Eigen does not check, factorize() would crash.
+    // Without a symbolic factor, which Eigen does not check, factorize() would crash.
     if(m_solver.cholmod().status < CHOLMOD_OK) return Solver_status::OUT_OF_MEMORY;
     m_solver.factorize(lower);
     if(m_solver.cholmod().status < CHOLMOD_OK) return Solver_status::OUT_OF_MEMORY;

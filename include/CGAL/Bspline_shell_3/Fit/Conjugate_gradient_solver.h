@@ -25,15 +25,16 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief conjugate gradients (Eigen) with an additive Schwarz preconditioner; the default solver.
+ * \brief conjugate gradients (of Eigen) with an additive Schwarz preconditioner; the default solver.
  *
- * The preconditioner solves on overlapping blocks of neighboring functions. Tens of iterations suffice, where the
- * diagonal takes thousands. With the default tolerance, the extrema of the field on the mesh agree with those of a
- * direct solve up to about 1 % of the shell's thickness. The result does not depend on the number of threads.
+ * The preconditioner solves on overlapping blocks of neighboring functions. Tens of iterations suffice, where a
+ * diagonal preconditioner takes hundreds to thousands. With the default tolerance, the extrema of the field on the mesh
+ * agree with those of a direct solve up to about 1 % of the shell's thickness. The result does not depend on the number
+ * of threads.
  *
  * \cgalModels `SPDSolver`
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`
  * \cgalHeading{Memory} About as much as the matrix.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag>
@@ -44,7 +45,7 @@ public:
   typedef Eigen::VectorXd Vector;
 
   /// \param tolerance relative residual \f$|b - Ax| / |b|\f$ at which the iteration stops
-  /// \param max_iterations number of iterations after which the solver gives up
+  /// \param max_iterations the largest number of iterations
   explicit Conjugate_gradient_solver(double tolerance = 1e-6, std::size_t max_iterations = 1000)
   {
     m_solver.setTolerance(tolerance);
@@ -57,7 +58,7 @@ public:
   {}
 
   /// \param lower the lower triangle of the matrix, which must not change until the last `solve()`
-  /// \param blocks blocks of the preconditioner; if there are none, it is the diagonal
+  /// \param blocks blocks of the preconditioner; without blocks, it is the diagonal
   Solver_status compute(const Matrix& lower, const Unknown_blocks& blocks = Unknown_blocks())
   {
     m_matrix.emplace(lower);

@@ -14,7 +14,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief the four terms of the paper's energy, and two additional ones.
+ * \brief the terms of the energy: the four terms of \cgalCite{CubicBsplineShell2025}, called *the paper* here, and two
+ * additional terms.
  */
 enum class Energy_term
 {
@@ -23,7 +24,8 @@ enum class Energy_term
   ANGLE,            ///< \f$E_{angle}\f$ (Eq. 4.3): squared difference of gradient and normal, on the facets
   SINGULAR_HESSIAN, ///< \f$E_{singularH}\f$ (Eq. 4.4): absolute determinant of the Hessian, in the shell
   NORMAL,           ///< \f$E_{normal}\f$ (Eq. 4.5): squared difference of the gradient's normal component and one
-  /// squared difference of the coefficients and the signed distance, extended linearly from each cell; not in the paper
+  /// squared difference of the coefficients and the signed distance, extrapolated linearly from each cell; not in the
+  /// paper
   COEFFICIENTS
 };
 
@@ -37,17 +39,17 @@ struct Energy_weights
 {
   double mu = 0.1;   ///< the paper's \f$\mu\f$
   double zeta = 1e5; ///< the paper's \f$\zeta\f$
-  /// \f$\sigma\f$: 1 in the paper. By default, the term is omitted: it does not exclude critical points, takes most of
-  /// the time, and thickens the shell at corners.
+  /// \f$\sigma\f$: 1 in the paper. The term is omitted by default, because it does not exclude critical points, takes
+  /// most of the time, and thickens the shell at corners.
   double singular_hessian = 0;
-  /// \f$\beta\f$: the weight of the squared value of the field on the mesh, per cell unit of area; 0 in the paper. It
-  /// makes the shell thinner.
+  /// \f$\beta\f$: the weight of the squared value of the field on the mesh, integrated in cell units; 0 in the paper.
+  /// The term makes the shell thinner.
   double surface = 0;
-  /// \f$\nu\f$: the weight of \f$E_{normal}\f$ without \f$E_{angle}\f$; 0 in the paper. Where the surface term keeps
-  /// the field from varying along facets, \f$E_{angle}\f$ adds little, but takes half of the work.
+  /// \f$\nu\f$: the weight of \f$E_{normal}\f$ without \f$E_{angle}\f$; 0 in the paper. Where the surface term prevents
+  /// variation of the field along facets, \f$E_{angle}\f$ contributes little, but takes half of the work.
   double normal = 0;
-  /// \f$\delta\f$: 0 in the paper. Functions that reach into the domain at a corner only are poorly determined by the
-  /// other terms. A small weight continues the field smoothly there, and solvers converge faster.
+  /// \f$\delta\f$: 0 in the paper. Functions whose support meets the domain only at a corner are poorly determined by
+  /// the other terms. A small weight continues the field smoothly there, and solvers converge faster.
   double coefficients = 0;
 
   /// records the first weight that is negative or not finite

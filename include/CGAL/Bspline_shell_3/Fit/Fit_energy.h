@@ -36,18 +36,20 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief the paper's energy of a field, as a function of its coefficients.
+ * \brief the energy that a field minimizes, as a function of its coefficients.
  *
- * On each cell, the energy is measured in *cell units*: lengths and values are divided by the cell's width, so that
- * cells of all sizes have equal weight. The paper's lengths are in units of the longest side of the mesh's bounding
- * box, with \f$\gamma\f$ cells per unit. The energy divided by the squared width is then
+ * The energy of each cell is computed in *cell units*: lengths and values are divided by the cell's width, so that
+ * cells of all sizes have equal weight. Let \f$F\f$ be the field and \f$D\f$ the signed distance in cell units, \f$p\f$
+ * the samples, and \f$n\f$ the normals of facets. Let \f$B_i\f$ be the basis functions and \f$x_i\f$ their
+ * coefficients, and \f$\gamma\f$ the number of root cells along the longest side of the mesh's bounding box. With the
+ * weights of `Energy_weights`, the energy is
  * \f[ \sum_p (F - D)^2 + \beta \int F^2 + \nu \int (\nabla F \cdot n - 1)^2
  *     + \delta \sum_p \sum_i B_i(p) (x_i - D_c(a_i))^2 + \mu \left( \int |\nabla F - n|^2 + \sigma \gamma^2 \int |\det
  *     H_F| + \zeta \int (\nabla F \cdot n - 1)^2 \right) . \f]
- * All member functions use this quotient. Coefficients are those of the field divided by the width of root cells.
  * \f$D_c\f$ is the linear function closest to the samples in the cell of \f$p\f$, and \f$a_i\f$ is the center of the
- * support of \f$B_i\f$. Surface integrals use quadrature on the clipped mesh; volume integrals use the centers of the
- * eighths of cells.
+ * support of \f$B_i\f$. Surface integrals use quadrature on the clipped mesh; volume integrals use the samples, which
+ * are the midpoints of the eight octants of each cell. In all member functions, `x` contains the coefficients of the
+ * field divided by the width of root cells.
  *
  * \tparam Field a model of `FittableBsplineField_3`
  */
@@ -62,16 +64,18 @@ class Fit_energy
 public:
   typedef Eigen::VectorXd Vector;
 
-  /// the largest number of unknowns: a column of the lower triangle has at most 172 entries, which are numbered by
-  /// `int`s
+  /// the largest number of unknowns: the entries of the matrix are indexed by `int`s, and a column of its lower
+  /// triangle has at most 172 of them
   static constexpr std::size_t max_number_of_unknowns = std::size_t(std::numeric_limits<int>::max()) / 172;
 
-  /// \param field the cells and functions; its coefficients are not used
-  /// \param samples the signed distance at the samples of all cells (`sample_signed_distance()`), user units
-  /// \param clipped the mesh, clipped to the field's cells; its facets face the direction in which the samples increase
-  /// \param gamma number of cells per the paper's unit of length
+  /// \param field the cells and basis functions; its coefficients are ignored
+  /// \param samples the signed distance at the samples of all cells (`sample_signed_distance()`), in the units of the
+  ///   coordinates
+  /// \param clipped the mesh, clipped to the field's cells; its normals point in the direction in which the samples
+  ///   increase
+  /// \param gamma number of root cells along the longest side of the mesh's bounding box
   /// \param weights the weights of the terms
-  /// \pre field, samples and clipped mesh outlive this object; the field contains all cells with pieces of the clipped
+  /// \pre field, samples, and clipped mesh outlive this object; the field contains all cells with pieces of the clipped
   ///   mesh, and has at most `max_number_of_unknowns` coefficients
   Fit_energy(const Field& field, const std::vector<double>& samples, const Clipped_mesh_3& clipped, double gamma,
              const Energy_weights& weights)
@@ -102,11 +106,12 @@ public:
     return 0;
   }
 
-  /// sets the factor on the weight of the term `SURFACE` in each cell; by default, all factors are 1
+  /// sets the factor by which the weight of the term `SURFACE` is multiplied in each cell; by default, all factors are
+  /// 1
   void set_surface_factors(std::vector<float> factors) { m_surface_factors = std::move(factors); }
 
-  /// sets the domain of \f$E_{singularH}\f$: the cells that have a sample with \f$\epsilon_1 \le F \le \epsilon_2\f$
-  /// for the field `x` (both divided by the width of root cells). Before the first call, the term is zero.
+  /// sets the domain of \f$E_{singularH}\f$: the cells with a sample at which the field with the coefficients `x` lies
+  /// between `eps1` and `eps2`, which are divided by the width of root cells. Before the first call, the term is zero.
   void set_singular_hessian_domain(const Vector& x, double eps1, double eps2)
   {
     m_hessian_domain.assign(m_field.number_of_cells(), 0);
@@ -123,8 +128,8 @@ public:
     }
   }
 
-  /// returns the least and largest value of the field `x` at the quadrature points of the mesh, divided by the width of
-  /// root cells
+  /// returns the smallest and the largest value, at the quadrature points of the mesh, of the field with the
+  /// coefficients `x`, divided by the width of root cells
   std::pair<double, double> range_on_mesh(const Vector& x) const
   {
     std::pair<double, double> range(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
@@ -141,9 +146,9 @@ public:
     return range;
   }
 
-  /// returns a field close to the signed distance. Each coefficient is the mean of the samples of the surrounding
-  /// leaves of its level, extended linearly to the center of its function. On cells of one size, these coefficients
-  /// minimize the term `COEFFICIENTS`.
+  /// returns the coefficients of a field close to the signed distance. Each coefficient is the weighted mean of linear
+  /// functions, fitted to the samples in the surrounding leaves of its level, at the center of its basis function. On
+  /// cells of one size, these coefficients minimize the term `COEFFICIENTS`.
   template <typename ConcurrencyTag = Sequential_tag>
   Vector initial_guess() const
   {
@@ -160,7 +165,7 @@ public:
     return guess;
   }
 
-  /// returns the weighted term at `x`
+  /// returns the weighted term of the field with the coefficients `x`
   template <typename ConcurrencyTag = Sequential_tag>
   double value(Energy_term term, const Vector& x) const
   {
@@ -178,7 +183,7 @@ public:
     return weight(term) * std::accumulate(sums.begin(), sums.end(), 0.);
   }
 
-  /// returns the sum of the weighted terms at `x`
+  /// returns the sum of the weighted terms of this field
   template <typename ConcurrencyTag = Sequential_tag>
   double value(const Vector& x) const
   {
@@ -189,7 +194,8 @@ public:
     return sum;
   }
 
-  /// returns the derivatives of the weighted term with respect to the coefficients (for \f$|\det H|\f$, a subgradient)
+  /// returns the derivatives of the weighted term with respect to the coefficients (for \f$|\det H|\f$, a subgradient);
+  /// sequential
   Vector gradient(Energy_term term, const Vector& x) const
   {
     const Vector points = m_field.extend(x);
@@ -225,8 +231,9 @@ public:
     });
   }
 
-  /// assembles the quadratic terms for some unknowns, while the others keep their values in `x`. Entries of \f$A\f$ and
-  /// \f$b\f$ for the others are zero. The cost is that of the cells on which the unknowns act.
+  /// assembles the quadratic terms as functions of some unknowns, while the others keep their values in `x`. Entries of
+  /// \f$A\f$ and \f$b\f$ for the others are zero. The time is proportional to the number of cells on which the unknowns
+  /// act.
   template <typename ConcurrencyTag>
   void assemble(const Fitted_part& part, const Vector& x, Matrix& A, Vector& b) const
   {
@@ -248,7 +255,7 @@ public:
   }
 
   /// adds the Gauss-Newton matrix and right-hand side of \f$E_{singularH}\f$, linearized at `x`: those of \f$\int (\det
-  /// H)^2 / \max(|\det H|, \eta)\f$, which equals the term where \f$|\det H| \ge \eta\f$
+  /// H)^2 / \max(|\det H|, \eta)\f$, which equals the term where \f$|\det H| \ge \eta\f$ (in cell units)
   template <typename ConcurrencyTag>
   void add_singular_hessian(const Vector& x, double eta, Matrix& A, Vector& b) const
   {
@@ -265,7 +272,7 @@ public:
         const double det = internal::hessian_determinant(local, m_sample_basis[s], &row);
         const double w = weight(Energy_term::SINGULAR_HESSIAN) / Distance_samples::per_cell
                          / (std::max)(std::abs(det), eta);
-        // det(x + d) ~ det + row . d = row . (x + d) - 2 det, as the determinant is cubic
+        // det(x + d) ~ det + row . d = row . (x + d) - 2 det, because the determinant is cubic
         rows.col(s) = std::sqrt(w) * row;
         rhs += w * 2 * det * row;
       }
@@ -273,15 +280,15 @@ public:
       matrix.template selfadjointView<Eigen::Lower>().rankUpdate(rows);
       return true;
     });
-    // Both matrices have the same pattern.
+    // The two matrices have the same pattern.
     Eigen::Map<Vector>(A.valuePtr(), A.nonZeros()) += Eigen::Map<const Vector>(more.valuePtr(), more.nonZeros());
     b += more_rhs;
   }
   /// @}
 
 private:
-  // Assembles the equations of all points, or of chosen ones, from the matrices of cells for which local(c, matrix,
-  // rhs) returns true.
+  // Assembles the equations of all points, or of the chosen points. local(c, matrix, rhs) computes the contribution of
+  // a cell, and returns false if there is none.
   template <typename ConcurrencyTag, typename Local>
   void assemble_cells(const std::vector<char>* chosen, Matrix& A, Vector& b, const Local& local) const
   {
@@ -299,7 +306,7 @@ private:
     internal::condense<ConcurrencyTag>(m_field, equations, all, all_rhs, A, b);
   }
 
-  // Returns the factor that converts coefficients to cell units: root cells per cell, along an axis.
+  // Returns the factor that converts coefficients to cell units: the width of root cells divided by that of the cell.
   double scale(Cell_index c) const { return double(1 << m_field.cells().level(c)); }
 
   Local_vector sample_row(int s) const
@@ -344,7 +351,7 @@ private:
   }
 
   // Calls visit(residual, weight, row) for the residuals of a term in a cell; row() is the derivative of the residual
-  // by the cell's 64 coefficients in cell units.
+  // with respect to the cell's 64 coefficients in cell units.
   template <typename Visitor>
   void visit_residuals(Energy_term term, const Vector& points, Cell_index c, const Visitor& visit) const
   {
@@ -403,8 +410,8 @@ private:
     }
   }
 
-  // Returns the signed distance at the centers of the supports of the 64 functions, in cell units: that of the linear
-  // function closest to the samples, which are the corners of a cube with sides of 1/2.
+  // Returns, in cell units, the linear function closest to the samples of a cell, at the centers of the supports of the
+  // cell's 64 functions. The samples are the corners of a cube with sides of 1/2.
   Local_vector extended_samples(Cell_index c) const
   {
     constexpr int n = Distance_samples::per_cell;
@@ -423,7 +430,7 @@ private:
     return extended;
   }
 
-  // Returns the matrix of the terms that are equal in all cells: DISTANCE and COEFFICIENTS.
+  // Returns the matrix of the terms DISTANCE and COEFFICIENTS, which is the same for all cells.
   Local_matrix sample_matrix() const
   {
     Local_matrix m = Local_matrix::Zero();
@@ -443,7 +450,7 @@ private:
     if(w > 0) rhs += w * m_share.cwiseProduct(extended_samples(c));
   }
 
-  // Adds E_surface, E_angle and E_normal. In a frame (n, u, v) of the facet, the latter two are
+  // Adds E_surface, E_angle, and E_normal. In a frame (n, u, v) of the facet, the sum of the latter two is
   //   (nu + mu (1 + zeta)) (n . grad - 1)^2 + mu (u . grad)^2 + mu (v . grad)^2
   void add_surface_terms(Cell_index c, Local_matrix& matrix, Local_vector& rhs) const
   {

@@ -18,20 +18,20 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief the free coefficients that act on some cells and are fitted, while all others keep their values.
+ * \brief the free coefficients that act on the chosen cells and are fitted, while all others keep their values.
  */
 struct Fitted_part
 {
   std::vector<char> coefficients;  ///< 1 for each fitted coefficient
-  std::vector<char> points;        ///< 1 for each point whose coefficient is fitted or depends on a fitted one
+  std::vector<char> points;        ///< 1 for each point whose coefficient is fitted, or depends on a fitted coefficient
   std::vector<char> cells;         ///< 1 for each cell on which a fitted coefficient acts
   std::size_t number_of_cells = 0; ///< number of cells on which a fitted coefficient acts
 
   Fitted_part() = default;
 
-  /// selects the coefficients that act on the chosen cells; linear in the size of the field
+  /// selects the coefficients that act on the chosen cells; takes time linear in the size of the field
   /// \tparam Field `Hierarchical_bspline_field_3`
-  /// \param field the cells and functions; its coefficients are not used
+  /// \param field the cells and basis functions; its coefficients are ignored
   /// \param chosen the cells
   template <typename Field>
   Fitted_part(const Field& field, const std::vector<std::uint32_t>& chosen)

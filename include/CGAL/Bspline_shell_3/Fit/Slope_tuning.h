@@ -18,8 +18,8 @@ struct Slope_tuning
 {
   /// Number of sweeps over all violated cells.
   int max_sweeps = 3;
-  /// Largest fraction of the violated cells that a sweep may leave, unless it leaves no more than
-  /// `few_violated_cells`: otherwise the problem is not local.
+  /// Largest fraction of the violated cells that a sweep may leave, unless it leaves at most `few_violated_cells`. If
+  /// it leaves more, the problem is not local.
   double violated_cells_left = 0.7;
   std::size_t few_violated_cells = 64;
   /// Number of patches among which independent ones are searched for. It affects time only.
@@ -35,7 +35,7 @@ struct Slope_tuning
   /// Largest multiplier of a condition. With the weights of the energy, multipliers are typically about ten; if
   /// conditions contradict each other, they grow without bound.
   double largest_multiplier = 100;
-  /// Fraction by which solutions aim beyond the required values, as they are not exact.
+  /// Fraction by which solutions aim beyond the required values, because they are not exact.
   double excess = 0.05;
   /// Number of sweeps over the multipliers, and the change of slopes at which they end.
   int max_dual_sweeps = 100;

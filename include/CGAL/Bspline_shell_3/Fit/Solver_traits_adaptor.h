@@ -23,9 +23,9 @@ namespace Bspline_shells {
  *
  * \brief adapts the solver traits of \cgal, such as `Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix> >`.
  *
- * The traits receive a copy of the whole matrix, and a new vector for each right-hand side. They factorize the matrix
- * for each right-hand side. Any failure has the status `NOT_CONVERGED`, as traits give no reason. Copies may share the
- * solver of the traits, and so must be used by one thread at a time.
+ * The traits receive a copy of the whole matrix, and for each right-hand side a new vector, for which they factorize
+ * the matrix again. Every failure has the status `NOT_CONVERGED`, because traits give no reason. Copies may share the
+ * solver of the traits, and must therefore be used by one thread at a time.
  *
  * \cgalModels `SPDSolver`
  *
@@ -38,11 +38,13 @@ public:
   typedef Eigen::SparseMatrix<double> Matrix;
   typedef Eigen::VectorXd Vector;
 
-  static_assert(std::is_same<typename SolverTraits::NT, double>::value, "The solver must compute with doubles.");
+  static_assert(std::is_same<typename SolverTraits::NT, double>::value,
+                "SolverTraits must have the number type double.");
 
   explicit Solver_traits_adaptor(const SolverTraits& traits = SolverTraits()) : m_traits(traits) {}
 
-  /// a copy has no matrix. It may share the solver of the traits: `Eigen_solver_traits` has a pointer to it.
+  /// constructs a solver without a matrix. It may share the solver of the traits, to which `Eigen_solver_traits` has a
+  /// pointer.
   Solver_traits_adaptor(const Solver_traits_adaptor& other) : m_traits(other.m_traits) {}
 
   /// \param lower the lower triangle of the matrix, which must not change until the last `solve()`

@@ -19,7 +19,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief sets of unknowns that are strongly coupled to each other. They overlap, and cover all unknowns.
+ * \brief overlapping sets of unknowns that are strongly coupled to each other. Together, they contain all unknowns.
  */
 struct Unknown_blocks
 {
@@ -34,9 +34,9 @@ struct Unknown_blocks
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief returns blocks of the free coefficients of a field: for each level, those in cubes of five lattice points per
- * side, which overlap their neighbors by two. Linear in the number of coefficients. Each of them is in up to eight
- * blocks, and in 4.6 on average.
+ * \brief returns blocks of the free coefficients of a field: for each level, the coefficients in cubes of five lattice
+ * points per side, which overlap their neighbors by two points. Takes time linear in the number of coefficients. Each
+ * coefficient is in up to eight blocks, and in 4.6 blocks on average.
  *
  * \tparam Field a model of `FittableBsplineField_3`
  */

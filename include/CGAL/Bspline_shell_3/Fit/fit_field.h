@@ -26,20 +26,20 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief minimizes the paper's energy over the coefficients of a field.
+ * \brief minimizes the energy over the coefficients of a field.
  *
- * The quadratic terms are solved for at once. If the fourth term, \f$E_{singularH}\f$, has a weight, damped
- * Gauss-Newton steps on \f$\int (\det H)^2 / \max(|\det H|, \eta)\f$ follow, over the shell of the first solution. Each
- * step has one solve, which starts at the last solution, and a line search on the energy itself. The steps end when the
- * energy decreases by less than one percent, or after ten steps.
+ * One linear system gives the minimum of the quadratic terms. If \f$E_{singularH}\f$ has a weight, damped Gauss-Newton
+ * steps on \f$\int (\det H)^2 / \max(|\det H|, \eta)\f$ follow, over the shell of the first solution. Each step solves
+ * one system, starting at the last solution, and does a line search on the energy itself. The steps end when the energy
+ * decreases by less than 1 %, or after ten steps.
  *
  * \tparam Field a model of `FittableBsplineField_3`
  * \param energy the energy of `field`
  * \param solver any model of `SPDSolver`; it solves one linear system for each step
- * \param x initial value of iterative solvers, in cell units (`Fit_energy::initial_guess()`)
+ * \param x initial value for iterative solvers, divided by the width of root cells (`Fit_energy::initial_guess()`)
  * \param[out] field receives the coefficients of the solution, unless the solver fails
- * \cgalHeading{Cost} Assembly is linear in the numbers of cells and quadrature points. An iteration of conjugate
- *   gradients is linear in the number of unknowns.
+ * \cgalHeading{Cost} Assembly takes time linear in the number of cells and of quadrature points, and an iteration of
+ *   conjugate gradients in the number of unknowns.
  */
 template <typename ConcurrencyTag, typename Field>
 Fit_report fit_field(Field& field, Fit_energy<Field>& energy, const Any_spd_solver& solver, Eigen::VectorXd x)
@@ -48,7 +48,7 @@ Fit_report fit_field(Field& field, Fit_energy<Field>& energy, const Any_spd_solv
   typedef typename Fit_energy<Field>::Matrix Matrix;
   constexpr std::size_t max_steps = 10;
   constexpr double least_decrease = 1e-2;
-  constexpr double eta = 1e-3; // smaller determinants count as zero: curvatures of a tenth per cell
+  constexpr double eta = 1e-3; // smaller determinants are treated as zero: curvatures of 1/10 per cell
 
   Fit_report report;
   Real_timer timer;
@@ -74,8 +74,8 @@ Fit_report fit_field(Field& field, Fit_energy<Field>& energy, const Any_spd_solv
   if(!solved) return report;
 
   if(energy.weight(Energy_term::SINGULAR_HESSIAN) > 0) {
-    // The paper integrates over the shell, which moves with the field. If the domain moved with every step, the steps
-    // would oscillate: it stays the shell of the first solution.
+    // The term is an integral over the shell, which moves with the field. If the domain moved in every step, the steps
+    // would oscillate, so it remains the shell of the first solution.
     const std::pair<double, double> range = energy.range_on_mesh(x);
     energy.set_singular_hessian_domain(x, range.first, range.second);
     for(std::size_t step = 0; step < max_steps; ++step) {
@@ -87,7 +87,7 @@ Fit_report fit_field(Field& field, Fit_energy<Field>& energy, const Any_spd_solv
       const bool step_solved = solve(step_matrix, step_rhs, target);
       report.seconds_solver = timer.time();
       if(!step_solved) return report;
-      // The full step minimizes the model; the energy itself may require a shorter one.
+      // The full step minimizes the model; the energy itself may require a shorter step.
       double length = 1, after = energy.template value<ConcurrencyTag>(target);
       while(after > before && length > 1e-3) {
         length /= 2;

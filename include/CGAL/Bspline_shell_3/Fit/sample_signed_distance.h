@@ -23,8 +23,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief the positions of the samples of the signed distance: two per cell and axis, which together form a uniform
- * lattice with half the spacing of the cells.
+ * \brief the positions of the samples of the signed distance: two along each axis of a cell, hence eight per cell. On
+ * cells of one size, the samples form a lattice with half the spacing of the cells.
  */
 struct Distance_samples
 {
@@ -44,8 +44,8 @@ struct Distance_samples
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief returns the signed distance at the samples of some cells, user units: `Distance_samples::per_cell` values per
- * cell.
+ * \brief returns the signed distance at the samples of the given cells, in the units of the coordinates:
+ * `Distance_samples::per_cell` values per cell.
  *
  * \tparam Cells `Cell_complex_3` or `Cell_hierarchy_3`
  * \param oracle any model of `SignedDistanceOracle_3`
@@ -83,7 +83,7 @@ std::vector<double> sample_signed_distance(const Any_signed_distance_3& oracle, 
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief updates the samples of one hierarchy to those of another; samples of leaves that both contain are kept.
+ * \brief converts the samples of one hierarchy to those of another; samples of leaves that both contain are reused.
  *
  * \return the leaves with new samples
  */

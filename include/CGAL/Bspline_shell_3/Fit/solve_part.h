@@ -23,10 +23,11 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Fit
  *
- * \brief solves equations for some unknowns, while the others keep their values (`Fit_energy::assemble()` of a part).
+ * \brief solves equations for some unknowns, while the others keep their values (see `Fit_energy::assemble()` for a
+ * part).
  *
- * \param solver any model of `SPDSolver`; it solves the system of these unknowns alone
- * \param lower lower triangle of the matrix of all unknowns; rows and columns of the others are empty
+ * \param solver any model of `SPDSolver`; it solves the system of the chosen unknowns
+ * \param lower lower triangle of the matrix of all unknowns; rows and columns of unknowns that are not chosen are empty
  * \param b right-hand side
  * \param chosen for each unknown, whether it is solved for
  * \param blocks the blocks of all unknowns
@@ -62,7 +63,7 @@ inline Solver_status solve_part(const Any_spd_solver& solver, const Eigen::Spars
       if(chosen[blocks.unknowns[n]]) part_blocks.unknowns.push_back(std::uint32_t(place[blocks.unknowns[n]]));
     if(part_blocks.unknowns.size() > part_blocks.first.back()) part_blocks.first.push_back(part_blocks.unknowns.size());
   }
-  // Solve for the change of the unknowns, so that the tolerance is relative to it.
+  // Solves for the change of the unknowns, so that the tolerance is relative to the change.
   const Eigen::VectorXd all_residuals = b - lower.selfadjointView<Eigen::Lower>() * x;
   Eigen::VectorXd residual(size), change = Eigen::VectorXd::Zero(size);
   for(Eigen::Index n = 0; n < size; ++n) residual[n] = all_residuals[unknowns[std::size_t(n)]];

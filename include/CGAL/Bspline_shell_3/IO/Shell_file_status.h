@@ -12,36 +12,36 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief Status of reading or writing a shell file.
+ * \brief the outcome of reading or writing a shell file.
  */
 enum class Shell_file_status
 {
   SUCCESS,
-  CANNOT_OPEN,           ///< The file does not exist or is not readable.
-  CANNOT_WRITE,          ///< The file cannot be created or completed.
-  NOT_A_SHELL,           ///< The file is not a shell file, or there is no valid shell to write.
-  VERSION_NOT_SUPPORTED, ///< The file has another format version.
-  OTHER_KIND,            ///< The file holds a shell with another type of field or thresholds.
-  DAMAGED                ///< The file is truncated, altered or inconsistent.
+  CANNOT_OPEN,           ///< the file does not exist or is not readable
+  CANNOT_WRITE,          ///< the file cannot be created or completed
+  NOT_A_SHELL,           ///< the file is not a shell file, or there is no valid shell to write
+  VERSION_NOT_SUPPORTED, ///< the file has another version of the format
+  OTHER_KIND,            ///< the file contains a shell with another type of field or thresholds
+  DAMAGED                ///< the file is truncated, altered, or inconsistent
 };
 
 /// \ingroup PkgBsplineShell3IO
-/// Returns the error and its remedy in one sentence.
+/// returns a sentence that describes the problem and a remedy
 inline const char* message(Shell_file_status status)
 {
   switch(status) {
     case Shell_file_status::SUCCESS: return "The file was read or written.";
     case Shell_file_status::CANNOT_OPEN: return "The file cannot be read: check its path and permissions.";
     case Shell_file_status::CANNOT_WRITE:
-      return "The file cannot be written: check its folder, permissions and the free space.";
+      return "The file cannot be written: check its folder, its permissions and the free space.";
     case Shell_file_status::NOT_A_SHELL:
-      return "This is no shell: the file holds something else, or no shell was built that could be written.";
+      return "There is no shell: the file to be read contains something else, or the shell to be written was not "
+             "built.";
     case Shell_file_status::VERSION_NOT_SUPPORTED:
-      return "The file is of another version of the format: write it again with this version of the package.";
+      return "The file has another version of the format: write it again with this version of the package.";
     case Shell_file_status::OTHER_KIND:
-      return "The file holds a shell with another kind of field or of thresholds: read it into a shell of that type.";
-    case Shell_file_status::DAMAGED:
-      return "The file was cut off or altered, or contradicts itself: write or copy it again.";
+      return "The file contains a shell with another type of field or thresholds: read it into a shell of that type.";
+    case Shell_file_status::DAMAGED: return "The file is truncated, altered or inconsistent: write or copy it again.";
   }
   return "";
 }
@@ -49,7 +49,7 @@ inline const char* message(Shell_file_status status)
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief Number format of a file: compact and fast binary, or readable text.
+ * \brief the number format of a file: compact and fast binary, or readable text.
  */
 enum class Shell_format
 {

@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <streambuf>
 #include <string>
 #include <type_traits>
 
@@ -30,7 +29,7 @@ using Bits_of =
 template <typename T>
 std::array<char, sizeof(T)> to_little_endian(T x)
 {
-  static_assert(sizeof(Bits_of<T>) == sizeof(T), "T must have 1, 4 or 8 bytes");
+  static_assert(sizeof(Bits_of<T>) == sizeof(T), "T must have 1, 4 or 8 bytes.");
   Bits_of<T> bits;
   std::memcpy(&bits, &x, sizeof(T));
   std::array<char, sizeof(T)> bytes;
@@ -42,7 +41,7 @@ template <typename T>
 T from_little_endian(const char* bytes)
 {
   typedef Bits_of<T> Bits;
-  static_assert(sizeof(Bits) == sizeof(T), "T must have 1, 4 or 8 bytes");
+  static_assert(sizeof(Bits) == sizeof(T), "T must have 1, 4 or 8 bytes.");
   Bits bits = 0;
   for(std::size_t n = 0; n < sizeof(T); ++n)
     bits = Bits(bits | (Bits(static_cast<unsigned char>(bytes[n])) << (8 * n)));
@@ -83,47 +82,6 @@ public:
 
 private:
   boost::crc_optimal<64, 0x42F0E1EBA9EA3693ull, 0xFFFFFFFFFFFFFFFFull, 0xFFFFFFFFFFFFFFFFull, true, true> m_crc;
-};
-
-/*!
- * \ingroup PkgBsplineShell3IO
- *
- * \brief Stream buffer that forwards to another buffer and keeps the checksum of the characters written.
- *
- * \code
- * CGAL::Bspline_shells::Checksum_streambuf buffer(out.rdbuf());
- * std::ostream summed(&buffer);
- * summed << ...;
- * summed << "checksum " << CGAL::Bspline_shells::Checksum::text(buffer.checksum()) << '\n';
- * \endcode
- */
-class Checksum_streambuf : public std::streambuf
-{
-public:
-  /// \param target the buffer to forward to; if it is null, only the checksum is kept
-  explicit Checksum_streambuf(std::streambuf* target = nullptr) : m_target(target) {}
-
-  /// Returns the checksum of all characters written.
-  std::uint64_t checksum() const { return m_checksum.value(); }
-
-protected:
-  int_type overflow(int_type c) override
-  {
-    if(traits_type::eq_int_type(c, traits_type::eof())) return traits_type::not_eof(c);
-    const char character = traits_type::to_char_type(c);
-    return xsputn(&character, 1) == 1 ? c : traits_type::eof();
-  }
-  std::streamsize xsputn(const char* text, std::streamsize size) override
-  {
-    const std::streamsize written = m_target == nullptr ? size : m_target->sputn(text, size);
-    m_checksum.add(text, std::size_t(written));
-    return written;
-  }
-  int sync() override { return m_target == nullptr ? 0 : m_target->pubsync(); }
-
-private:
-  std::streambuf* m_target;
-  Checksum m_checksum;
 };
 
 } // namespace Bspline_shells

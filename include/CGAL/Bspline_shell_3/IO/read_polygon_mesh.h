@@ -25,16 +25,17 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief Reads the polygons of a file as a polygon soup.
+ * \brief reads the polygons of a file as a polygon soup. Other data in the file, such as colors and texture
+ * coordinates, is ignored.
  *
- * The file's extension selects the format: OFF, OBJ, PLY, STL or GOCAD (ts). An STL file is binary if and only if it
- * has 84 bytes plus 50 bytes per facet. Points of an STL file at equal positions are merged.
+ * The extension of the file selects the format: OFF, OBJ, PLY, STL, or GOCAD (ts). An STL file is binary if and only if
+ * it has 84 bytes plus 50 bytes per facet. Points of an STL file at equal positions are merged.
  *
  * \param file path of the file
  * \param[out] soup the polygon soup if the status is `SUCCESS`; otherwise unchanged
- * \param[out] offenders positions of points with coordinates that are infinite or not a number; positions of facets
- *   that refer to missing points; for text files, the number of the offending line
- * \return `SUCCESS`; `MISSING_FILE`, `UNREADABLE_FILE`, `UNSUPPORTED_FILE`, `EMPTY_FILE`, `MALFORMED_FILE` or
+ * \param[out] offenders positions of points with coordinates that are infinite or not a number, and of facets that
+ *   refer to missing points; for text files, the number of the offending line
+ * \return `SUCCESS`; `MISSING_FILE`, `UNREADABLE_FILE`, `UNSUPPORTED_FILE`, `EMPTY_FILE`, `MALFORMED_FILE`, or
  *   `TRIANGLE_STRIPS` if the file cannot be read; `EMPTY_MESH` if it has no polygons; `NOT_FINITE`
  */
 Shell_status read_polygon_soup(const std::string& file, Polygon_soup& soup, Offending_simplices& offenders);
@@ -62,16 +63,16 @@ void assign_soup(const Polygon_soup& soup, PolygonMesh& mesh)
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief Reads a surface mesh, or reports why the file does not hold one.
+ * \brief reads a surface mesh, or reports why the file does not contain one.
  *
  * The formats are those of `read_polygon_soup()`. Vertices at equal positions are merged, and facets are reversed where
- * their neighbors have the other orientation. Nothing else is repaired.
+ * necessary for a consistent orientation. Nothing else is repaired.
  *
  * \tparam PolygonMesh a model of `MutableFaceGraph` whose points have a constructor from three `double` coordinates
  * \param file path of the file
  * \param[out] mesh the mesh if the status is `SUCCESS`; otherwise unchanged
- * \param[out] offenders positions of facets and vertices in the file, ascending; for vertices at equal positions, the
- *   first one
+ * \param[out] offenders positions of facets and vertices in the file, ascending; for vertices at equal positions, that
+ *   of the first
  */
 template <typename PolygonMesh>
 Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh, Offending_simplices& offenders)
@@ -85,7 +86,7 @@ Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh, Offen
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief Reads a surface mesh without reporting positions of errors.
+ * \brief reads a surface mesh without reporting positions of errors.
  */
 template <typename PolygonMesh>
 Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh)
@@ -97,7 +98,7 @@ Shell_status read_polygon_mesh(const std::string& file, PolygonMesh& mesh)
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief Reads a surface mesh like `read_polygon_mesh()`, and triangulates its facets with `triangulate_polygon()`.
+ * \brief reads a surface mesh like `read_polygon_mesh()`, and triangulates its facets with `triangulate_polygon()`.
  * Maps and edits require triangle meshes.
  */
 template <typename TriangleMesh>
@@ -114,7 +115,7 @@ Shell_status read_triangle_mesh(const std::string& file, TriangleMesh& mesh, Off
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief Reads a triangle mesh without reporting positions of errors.
+ * \brief reads a triangle mesh without reporting positions of errors.
  */
 template <typename TriangleMesh>
 Shell_status read_triangle_mesh(const std::string& file, TriangleMesh& mesh)

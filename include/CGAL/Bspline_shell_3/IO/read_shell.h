@@ -49,7 +49,7 @@ struct Shell_file_content
   std::array<double, 3> origin = {};
   double spacing = 0;
   std::vector<Position> functions;           // text files only: a binary file lists cells, which imply them
-  std::vector<std::vector<double> > splines; // coefficients of the field, of the inner and the outer threshold
+  std::vector<std::vector<double> > splines; // coefficients of the field, and of the inner and the outer threshold
   std::vector<Position> leaves;
   std::vector<char> marks;
   std::vector<Level_range> facet_ranges;
@@ -76,7 +76,7 @@ struct Shell_file_content
   bool has_closing() const { return !closing_points.empty() || border_points > 0 || !closing_triangles.empty(); }
 };
 
-// Vectors grow as data are read; counts in the file never reserve memory.
+// Vectors grow as data is read; no memory is reserved for counts in the file.
 inline Shell_file_status read_binary_shell(File_input& in, Shell_file_content& content)
 {
   for(char c : binary_shell_magic)
@@ -326,24 +326,24 @@ bool make_shell(Shell_file_content& content, Shell& shell)
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief Reads a shell written by `write_shell()`, in binary or text format. See \ref BsplineShell3FileFormats.
+ * \brief reads a shell written by `write_shell()`, in binary or text format. See \ref BsplineShell3FileFormats.
  *
- * The field, cells, thresholds, facet ranges, closing and truncation are reproduced bit by bit. A truncated or altered
- * file is never accepted: every file has a checksum, and its parts must be consistent. A damaged file costs no more
- * time and memory than an intact file of its length.
+ * The field, cells, thresholds, facet ranges, closing, and truncation are reproduced bit by bit. Truncated and altered
+ * files are rejected: every file has a checksum, and its parts must be consistent. A damaged file takes no more time
+ * and memory than an intact file of its length.
  *
- * The shell is not certified. `certify(shell, mesh)` proves its certificate again, for the mesh that the shell was
- * built for or for another mesh in it. Paths in the file through the components of the shell are candidates, which
- * every certificate proves first (`Bspline_shell_3::path_candidates()`). The unit, the thickness, the numbers of
- * triangles and components, and the facet ranges are not checked; no proof uses them.
+ * The shell is not certified. `certify(shell, mesh)` proves the certificate again, for the mesh for which the shell was
+ * built, or for another mesh in it. The paths in the file through the components of the shell are candidates: a
+ * certificate uses only those that it proves (`Bspline_shell_3::path_candidates()`). The unit, the thickness, the
+ * number of triangles and of components, and the facet ranges are not checked; no proof uses them.
  *
  * \tparam Field `Uniform_bspline_field_3` or `Hierarchical_bspline_field_3`
  * \tparam Threshold `Constant_threshold` or `Spline_threshold<Field>`
  *
  * \param in a stream opened with `std::ios::binary`, which must end where the shell ends. Its locale and format flags
  *   are ignored, and its state does not change.
- * \param[out] shell the shell if the status is `SUCCESS`; otherwise unchanged. Its report has the unit, gamma, the
- *   thickness, and the numbers of triangles, components, cells and unknowns.
+ * \param[out] shell the shell if the status is `SUCCESS`; otherwise unchanged. Its report contains the unit, gamma, the
+ *   thickness, and the number of triangles, components, cells, and unknowns.
  */
 template <typename Field, typename Threshold>
 Shell_file_status read_shell(std::istream& in, Bspline_shell_3<Field, Threshold>& shell)
@@ -361,12 +361,12 @@ Shell_file_status read_shell(std::istream& in, Bspline_shell_3<Field, Threshold>
 }
 
 /// \ingroup PkgBsplineShell3IO
-/// Reads a shell from a file with any extension.
+/// reads a shell from a file with any extension
 template <typename Field, typename Threshold>
 Shell_file_status read_shell(const std::string& file, Bspline_shell_3<Field, Threshold>& shell)
 {
   std::ifstream in(file, std::ios::binary);
-  if(in) in.peek(); // a folder can be opened, but not read
+  if(in) in.peek(); // a folder can be opened but not read
   return in.bad() ? Shell_file_status::CANNOT_OPEN : read_shell(in, shell);
 }
 

@@ -35,7 +35,7 @@ constexpr int VTK_control_points[64] = { 0,  3,  15, 12, 48, 51, 63, 60, 1,  2, 
                                          20, 24, 36, 40, 23, 27, 39, 43, 17, 18, 33, 34, 29, 30, 45, 46,
                                          5,  6,  9,  10, 53, 54, 57, 58, 21, 22, 25, 26, 37, 38, 41, 42 };
 
-// Numbers the control points of some cells of a field. Neighbors of equal size share the numbers of their common
+// Numbers the control points of the given cells of a field. Neighbors of equal size share the numbers of their common
 // control points. Their Bernstein coefficients there are equal as `double`s, because the same operations compute them
 // from the same coefficients.
 template <typename Field>
@@ -120,7 +120,7 @@ private:
     return first;
   }
 
-  // Returns, for each point of a cell, its places in the cell and in the neighbors.
+  // Returns, for each point of a cell, its places in the cell and in its neighbors.
   static std::array<std::vector<Place>, 64> places()
   {
     std::array<std::vector<Place>, 64> places;
@@ -275,13 +275,13 @@ Shell_file_status write_VTU(std::ostream& out, const VTU_splines<Field>& splines
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief Writes a field to a file for ParaView and VTK (extension .vtu): an unstructured grid of cubic Bezier
- * hexahedra. The point data `f` are the Bernstein coefficients, so VTK's interpolation is \f$f\f$ itself, not a linear
- * approximation.
+ * \brief writes a field to a file for ParaView and VTK (extension .vtu), as an unstructured grid of cubic Bezier
+ * hexahedra. The point data `f` contains the Bernstein coefficients, so VTK's interpolation is \f$f\f$ itself, not a
+ * linear approximation.
  *
  * Cells of equal size share their common control points. Where cells of different sizes meet, the grid has hanging
- * nodes. As \f$f\f$ is the same function on both sides, it has no gaps there other than those of VTK's approximation of
- * cells.
+ * nodes. Because \f$f\f$ is the same function on both sides, there are no gaps except for those of VTK's approximation
+ * of cells.
  *
  * To view the file in ParaView 5.10 (VTK 9.1) or later, increase the representation's "Nonlinear Subdivision Level" or
  * apply the filter "Tessellate".
@@ -290,7 +290,7 @@ Shell_file_status write_VTU(std::ostream& out, const VTU_splines<Field>& splines
  * \param out a stream opened with `std::ios::binary`; its locale is ignored
  * \param field the field
  * \param format `BINARY` appends raw binary data to the XML text; text files are twice as long
- * \cgalHeading{Cost} linear in the number of cells
+ * \cgalHeading{Cost} Linear in the number of cells.
  */
 template <typename Field>
 Shell_file_status write_VTU(std::ostream& out, const Field& field, Shell_format format = Shell_format::BINARY)
@@ -301,10 +301,10 @@ Shell_file_status write_VTU(std::ostream& out, const Field& field, Shell_format 
 }
 
 /// \ingroup PkgBsplineShell3IO
-/// Writes the field of a shell for the cells that the shell may meet (`Bspline_shell_3::shell_cells()`). Constant
-/// thresholds are written as field data `levels`; others as point data `inner` and `outer`, which are Bernstein
-/// coefficients like `f`.
-/// \return `NOT_A_SHELL` if there is no shell; then nothing is written
+/// writes the field of a shell for the cells that the shell may meet (`Bspline_shell_3::shell_cells()`). Constant
+/// thresholds are written as field data `levels`, and other thresholds as point data `inner` and `outer`, which contain
+/// Bernstein coefficients like `f`.
+/// \return `NOT_A_SHELL` if there is no shell, in which case nothing is written
 template <typename Field, typename Threshold>
 Shell_file_status write_VTU(std::ostream& out, const Bspline_shell_3<Field, Threshold>& shell,
                             Shell_format format = Shell_format::BINARY)
@@ -325,7 +325,7 @@ Shell_file_status write_VTU(std::ostream& out, const Bspline_shell_3<Field, Thre
 }
 
 /// \ingroup PkgBsplineShell3IO
-/// Writes a field or a shell to a file. On failure, an existing file remains unchanged (`write_file()`).
+/// writes a field or a shell to a file. On failure, an existing file remains unchanged (`write_file()`).
 template <typename Field_or_shell>
 Shell_file_status write_VTU(const std::string& file, const Field_or_shell& field,
                             Shell_format format = Shell_format::BINARY)

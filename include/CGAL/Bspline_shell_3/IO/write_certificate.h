@@ -23,8 +23,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief Returns the checksum that identifies a mesh in a certificate file. It covers the coordinates of all vertices
- * and the vertex numbers of all triangles.
+ * \brief returns the checksum that identifies a mesh in a certificate file: that of the coordinates of all vertices and
+ * of the vertex indices of all triangles.
  *
  * \param mesh a mesh without removed elements
  */
@@ -42,19 +42,19 @@ std::uint64_t mesh_checksum(const Surface_mesh<Point_3>& mesh)
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief Writes the proof of a certificate's claims, for an independent program to check: the boxes of the cover with
- * their directions or centers, and the paths that prove the degree. See \ref BsplineShell3FileFormats.
+ * \brief writes the data with which an independent program can check a certificate: the boxes of the cover with their
+ * directions or centers, and the paths that prove the degree. See \ref BsplineShell3FileFormats.
  *
- * The file identifies the shell by the checksum of its text file. `certify()` may replace the paths in the shell: call
- * `write_shell()` after it. The file also identifies the examined mesh of the certificate, which the caller writes with
- * 17 digits.
+ * The file identifies the shell by the checksum of its text file. Call `write_shell()` after `certify()`, which may
+ * replace the paths in the shell. The file also identifies the examined mesh of the certificate, which the caller must
+ * write with 17 digits.
  *
  * \tparam Field, Threshold as for `write_shell()`
  *
  * \param out a stream opened with `std::ios::binary`
  * \param shell the shell
- * \param certificate of the shell's field and thresholds, verified for some mesh
- * \return whether everything was written
+ * \param certificate a certificate for the shell's field and thresholds, verified for some mesh
+ * \return whether all data was written
  */
 template <typename Field, typename Threshold>
 bool write_certificate(std::ostream& out, const Bspline_shell_3<Field, Threshold>& shell,
@@ -95,8 +95,8 @@ bool write_certificate(std::ostream& out, const Bspline_shell_3<Field, Threshold
     }
     output.text("\n");
   }
-  // Files number components in the order of the examined mesh, certificates in that of the user's mesh. A seed is a
-  // vertex of the first facet of its component.
+  // In files, components are numbered in the order of the examined mesh; in certificates, in that of the user's mesh. A
+  // seed is a vertex of the first facet of its component.
   const auto& seeds = certificate.seeds();
   constexpr std::size_t none = std::size_t(-1);
   std::vector<std::size_t> component_of_seed(mesh.number_of_vertices(), none), number(seeds.size(), none), component;
@@ -136,7 +136,7 @@ bool write_certificate(std::ostream& out, const Bspline_shell_3<Field, Threshold
 }
 
 /// \ingroup PkgBsplineShell3IO
-/// Writes a certificate to a file. On failure, an existing file remains unchanged (`write_file()`).
+/// writes a certificate to a file. On failure, an existing file remains unchanged (`write_file()`).
 template <typename Field, typename Threshold>
 bool write_certificate(const std::string& file, const Bspline_shell_3<Field, Threshold>& shell,
                        const Shell_certificate_3<Field, Threshold>& certificate)

@@ -17,8 +17,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief Writes a file under a temporary name and renames it when it is complete. An interrupted or failed write leaves
- * an existing file unchanged, and never an incomplete file under the final name.
+ * \brief writes a file under a temporary name, and renames it when it is complete. If the write is interrupted or
+ * fails, an existing file remains unchanged, and there is no incomplete file under the final name.
  *
  * \param file path of the file
  * \param write called with a `std::ostream&`; returns whether it succeeded

@@ -30,7 +30,7 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// Writes all lines but the last one.
+// Writes all lines except the last.
 template <typename Shell>
 void write_ASCII_shell(File_output& out, const Shell& shell)
 {
@@ -128,7 +128,7 @@ void write_ASCII_shell(File_output& out, const Shell& shell)
   write_truncation(Row_output(out, false), shell.truncation().get());
 }
 
-// Writes everything but the checksum.
+// Writes all data except the checksum.
 template <typename Shell>
 void write_binary_shell(File_output& out, const Shell& shell)
 {
@@ -186,11 +186,11 @@ void write_binary_shell(File_output& out, const Shell& shell)
 /*!
  * \ingroup PkgBsplineShell3IO
  *
- * \brief Writes a shell so that `read_shell()` reproduces it bit by bit: the field, cells, thresholds, facet ranges,
+ * \brief writes a shell so that `read_shell()` reproduces it bit by bit: the field, cells, thresholds, facet ranges,
  * closing, truncation, and paths through its components. See \ref BsplineShell3FileFormats.
  *
- * The report is written in part: the unit, the numbers of triangles and components, and the thickness. The certificate
- * is not written; `certify()` proves it again for the shell that was read.
+ * Of the report, only the unit, the number of triangles and of components, and the thickness are written. The
+ * certificate is not written; `certify()` proves it again for the shell that was read.
  *
  * \tparam Field `Uniform_bspline_field_3` or `Hierarchical_bspline_field_3`
  * \tparam Threshold `Constant_threshold` or `Spline_threshold<Field>`
@@ -198,9 +198,10 @@ void write_binary_shell(File_output& out, const Shell& shell)
  * \param out a stream opened with `std::ios::binary`; its locale is ignored
  * \param shell the shell
  * \param format binary files are shorter than text files and are written faster
- * \return `NOT_A_SHELL` if there is no shell, or if it has numbers that are not finite or corners that are not exact;
- *   then nothing is written. Shells of `bspline_shell_3()` and `certified_bspline_shell_3()` can always be written.
- * \cgalHeading{Cost} linear in the size of the file
+ * \return `NOT_A_SHELL` if there is no shell, or if it has numbers that are not finite or corners that are not exact,
+ *   in which case nothing is written. Shells of `bspline_shell_3()` and `certified_bspline_shell_3()` can always be
+ *   written.
+ * \cgalHeading{Cost} Linear in the size of the file.
  */
 template <typename Field, typename Threshold>
 Shell_file_status write_shell(std::ostream& out, const Bspline_shell_3<Field, Threshold>& shell,
@@ -219,7 +220,7 @@ Shell_file_status write_shell(std::ostream& out, const Bspline_shell_3<Field, Th
 }
 
 /// \ingroup PkgBsplineShell3IO
-/// Writes a shell to a file. On failure, an existing file remains unchanged (`write_file()`).
+/// writes a shell to a file. On failure, an existing file remains unchanged (`write_file()`).
 template <typename Field, typename Threshold>
 Shell_file_status write_shell(const std::string& file, const Bspline_shell_3<Field, Threshold>& shell,
                               Shell_format format)
@@ -231,8 +232,8 @@ Shell_file_status write_shell(const std::string& file, const Bspline_shell_3<Fie
 }
 
 /// \ingroup PkgBsplineShell3IO
-/// Writes a shell to a file in the format given by its name: text if the name ends in ".txt" (as in "name.shell.txt"),
-/// otherwise binary ("name.shell").
+/// writes a shell to a file in the format given by its name: text if the name ends in ".txt" (as in "name.shell.txt"),
+/// otherwise binary ("name.shell")
 template <typename Field, typename Threshold>
 Shell_file_status write_shell(const std::string& file, const Bspline_shell_3<Field, Threshold>& shell)
 {
@@ -243,7 +244,7 @@ Shell_file_status write_shell(const std::string& file, const Bspline_shell_3<Fie
 }
 
 /// \ingroup PkgBsplineShell3IO
-/// Returns the checksum in the last line of the shell's text file, by which other files identify the shell.
+/// returns the checksum in the last line of the shell's text file, by which other files identify the shell.
 /// \pre there is a shell
 template <typename Field, typename Threshold>
 std::uint64_t shell_checksum(const Bspline_shell_3<Field, Threshold>& shell)

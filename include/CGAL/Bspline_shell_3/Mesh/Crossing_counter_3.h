@@ -23,12 +23,12 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Finds, exactly, the facets of a closed mesh that a segment crosses, with the direction of each crossing.
+ * \brief finds, exactly, the facets of a closed mesh that a segment crosses, with the direction of each crossing.
  *
- * For an open mesh the number of crossings has no meaning. Const member functions may be called concurrently.
+ * For an open mesh, the number of crossings has no meaning. Const member functions may be called concurrently.
  *
- * \cgalHeading{Cost} the first few segments are compared with all facets, which takes less time than building a tree; a
- *   tree is built for further segments
+ * \cgalHeading{Cost} The first segments are compared with all facets, which takes less time than building a tree; a
+ *   tree is built for further segments.
  */
 class Crossing_counter_3
 {
@@ -39,12 +39,12 @@ public:
 
   /// \pre `mesh` outlives this object
   explicit Crossing_counter_3(const Triangle_mesh& mesh);
-  explicit Crossing_counter_3(const Triangle_mesh&&) = delete; // it would dangle
+  explicit Crossing_counter_3(const Triangle_mesh&&) = delete; // the reference would dangle
 
-  /// Returns the facets that the segment crosses in their interiors, in the order of `faces(mesh)`. The sign of each is
-  /// 1 if the segment leaves at the front, and -1 if it enters there. Returns nothing if the segment touches an edge or
-  /// a vertex, or ends on a facet: use another segment.
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, for the comparison with
+  /// returns the facets that the segment crosses in their interiors, in the order of `faces(mesh)`. The sign of each is
+  /// 1 if the segment crosses from back to front, and -1 otherwise. Returns nothing if the segment touches an edge or a
+  /// vertex or ends on a facet; use another segment.
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`, for the comparison with
   ///   all facets; the result is the same
   template <typename ConcurrencyTag = Sequential_tag>
   std::optional<std::vector<std::pair<Face_index, int> > > crossings(const Point_3& p, const Point_3& q) const;

@@ -72,7 +72,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_scans = 32; // they take about as long as building a tree
+  static constexpr std::size_t most_scans = 32; // these take about as long as building a tree
   const Triangle_mesh& m_mesh;
   mutable std::atomic<std::size_t> m_queries{ 0 };
   mutable std::once_flag m_is_built;

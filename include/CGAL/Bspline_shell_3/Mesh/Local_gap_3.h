@@ -22,16 +22,17 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Computes the local gap of a mesh: the thickness of its walls, and the width of narrow gaps between its parts.
+ * \brief computes the local gap of a mesh: the thickness of its walls, and the width of narrow gaps between its parts.
  *
- * The gap is defined at a point of a facet, on one of its two sides. It is the diameter of the largest ball that
- * touches the facet there and whose interior has no point of an opposite facet. A facet is opposite if the angle
- * between the normals exceeds 120 degrees. The gap behind the facet is the thickness of the wall; the gap in front is
- * the distance to the next part of the mesh. Facets that share a vertex with the facet are ignored, because the gap of
- * a fold is zero at its edge.
+ * The local gap is defined at a point of a facet, on one of its two sides: it is the diameter of the largest ball that
+ * touches the facet there and whose interior contains no point of an opposite facet. A facet is opposite if the angle
+ * between the normals exceeds 120 degrees. The gap behind the facet is the thickness of the wall, and the gap in front
+ * of it is the distance to the next part of the mesh. Facets that share a vertex with the facet are ignored, because
+ * the gap of a fold is zero at its edge.
  *
- * Gaps are computed in `double`s; up to rounding, each is the diameter of such a ball. Const member functions may be
- * called concurrently. A query takes logarithmic time if few facets are nearer than the gap.
+ * Gaps are computed in `double`s; up to rounding, each is the diameter of a ball that touches the facet and meets an
+ * opposite facet. Const member functions may be called concurrently. A query takes logarithmic time if few facets are
+ * closer than the gap.
  */
 class Local_gap_3
 {
@@ -42,15 +43,15 @@ public:
   /// \pre `input` is built, and outlives this object
   explicit Local_gap_3(const Input_mesh_3& input);
 
-  /// Returns the least gap on a facet, in user units.
+  /// returns the smallest gap on a facet, in the units of the coordinates.
   /// \param facet a facet of the checked mesh
   /// \param side `NEGATIVE` behind the facet, `POSITIVE` in front of it
-  /// \param most upper bound on the result; small values are faster
+  /// \param most upper bound on the result; a smaller bound makes the query faster
   double operator()(Face_index facet, Sign side, double most = std::numeric_limits<double>::infinity()) const;
 
-  /// Returns the least gap on a part of a facet, in user units.
+  /// returns the smallest gap on a part of a facet, in the units of the coordinates.
   /// \param facet a facet of the checked mesh
-  /// \param corners of a convex polygon in the facet, or a point of it
+  /// \param corners the corners of a convex polygon in the facet, or one point
   /// \param size number of corners: three or more, or one
   /// \param side as above
   /// \param most as above

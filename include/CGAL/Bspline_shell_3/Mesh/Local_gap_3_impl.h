@@ -75,7 +75,7 @@ private:
   }
   static Point coordinates(const Kernel::Point_3& p) { return { p.x(), p.y(), p.z() }; }
 
-  // Query of the tree, with its traversal traits and the least gap found.
+  // A query of the tree, with its traversal traits and the smallest gap that was found.
   struct Query
   {
     const Facets& facets;
@@ -96,7 +96,8 @@ private:
 
     bool go_further() const { return gap > 0; }
 
-    // A ball that touches the polygon lies in the polygon's box, moved by the radius and enlarged by it.
+    // A ball that touches the polygon lies in the bounding box of the polygon, shifted by the radius along `direction`
+    // and enlarged by the radius.
     template <typename Node>
     bool do_intersect(const Query&, const Node& node) const
     {
@@ -121,16 +122,16 @@ private:
     }
 
     // Let h be the height of a point q above the polygon's plane. The ball that touches the polygon at p and has q on
-    // its boundary has diameter |q - p|^2 / h. Balls of diameter D that touch the polygon have their centers on the
-    // polygon moved by D / 2. One of them meets the triangle in its interior if and only if the moved polygon is closer
-    // to the triangle than D / 2. The closest points of both then give a smaller diameter (Dinkelbach's method for
+    // its boundary has the diameter |q - p|^2 / h. Balls of diameter D that touch the polygon have their centers on the
+    // polygon moved by D / 2. The interior of one of them meets the triangle if and only if the moved polygon is closer
+    // than D / 2 to the triangle. The closest points of the two then give a smaller diameter (Dinkelbach's method for
     // fractional programs).
     void narrow(const Kernel::Triangle_3& triangle)
     {
       constexpr int max_steps = 64;
       constexpr double progress = 1e-9;
       if(!std::isfinite(gap)) {
-        // Starts with any ball.
+        // Starts with a ball through a vertex of the triangle.
         for(int i = 0; i < 3; ++i) {
           const Kernel::Vector_3 d = triangle[i] - kernel_point(corners[0]);
           const double height = height_of(d);
@@ -185,14 +186,14 @@ private:
       for(std::size_t n = 0; n < size; ++n)
         for(int i = 0; i < 3; ++i) {
           const auto [s, t] = closest_of_lines(corner(n), corner(n + 1), triangle[i], triangle[i + 1]);
-          // Vertices have been considered above.
+          // Vertices were considered above.
           if(s > 0 && s < 1 && t > 0 && t < 1)
             consider(corner(n) + s * (corner(n + 1) - corner(n)), triangle[i] + t * (triangle[i + 1] - triangle[i]));
         }
       return result;
     }
 
-    // Returns the parameters of the closest points; values outside [0, 1] if the lines are parallel.
+    // Returns the parameters of the closest points, or values outside [0, 1] if the lines are parallel.
     static std::array<double, 2> closest_of_lines(const Kernel::Point_3& p, const Kernel::Point_3& q,
                                                   const Kernel::Point_3& r, const Kernel::Point_3& s)
     {

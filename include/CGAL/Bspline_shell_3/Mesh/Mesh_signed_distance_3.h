@@ -20,13 +20,13 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Signed distance to a closed mesh: negative behind the facets.
+ * \brief the signed distance to a closed mesh, negative behind the facets.
  *
- * The distance is computed in `double`s with an AABB tree. The sign of a single point comes from
+ * The distance is computed in `double`s with an AABB tree. The sign at a single point comes from
  * `CGAL::Side_of_triangle_mesh`, whose predicates are exact. For sequences of nearby points, `signed_distance()` is
- * faster: the normal at the closest point determines the side. It is the normal of the facet, edge or vertex on which
- * the closest point lies, weighted by angles (J. A. Baerentzen, H. Aanaes: Signed distance computation using the angle
- * weighted pseudonormal, 2005). Const member functions may be called concurrently.
+ * faster: the side is determined by the normal of the facet, edge, or vertex on which the closest point lies, weighted
+ * by angles (*Signed distance computation using the angle weighted pseudonormal*, J. A. Baerentzen and H. Aanaes,
+ * 2005). Const member functions may be called concurrently.
  *
  * \cgalModels `SignedDistanceOracle_3`
  */
@@ -35,7 +35,7 @@ class Mesh_signed_distance_3
 public:
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
   typedef double FT;
-  /// Facet from which the search for the closest point starts; the first facet by default.
+  /// the facet from which the search for the closest point starts; the first facet by default
   struct Hint
   {
     std::size_t triangle = 0;
@@ -43,17 +43,17 @@ public:
 
   /// \pre `input` is built, and outlives the oracle
   explicit Mesh_signed_distance_3(const Input_mesh_3& input);
-  explicit Mesh_signed_distance_3(const Input_mesh_3&&) = delete; // it would dangle
+  explicit Mesh_signed_distance_3(const Input_mesh_3&&) = delete; // the reference would dangle
 
-  /// Returns the signed distance.
+  /// returns the signed distance
   FT operator()(const Point_3& p) const { return sign(p) * distance(p); }
-  /// Returns -1, 0 or 1; exact.
+  /// returns -1, 0, or 1; exact
   int sign(const Point_3& p) const;
-  /// Returns the distance without its sign.
+  /// returns the distance without its sign
   FT distance(const Point_3& p) const;
 
-  /// Returns the signed distance, and stores the closest facet in `hint`. The search starts from `hint`, which is fast
-  /// if the previous point was near. If the mesh intersects itself, the closest facet determines the side.
+  /// returns the signed distance, and stores the closest facet in `hint`. The search starts at `hint`, which is fast if
+  /// the previous point was near. If the mesh intersects itself, the closest facet determines the side.
   FT signed_distance(const Point_3& p, Hint& hint) const;
 
 private:

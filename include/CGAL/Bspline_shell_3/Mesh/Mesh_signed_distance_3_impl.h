@@ -96,7 +96,7 @@ public:
 
   int sign(const Point_3& p) const
   {
-    std::call_once(m_side_is_built, [&] { // built on demand, as few signs need it
+    std::call_once(m_side_is_built, [&] { // built on demand, because few signs need it
       m_side_tree = std::make_unique<Side_tree>(faces(m_mesh).begin(), faces(m_mesh).end(), m_mesh);
       m_side_tree->build();
       m_side = std::make_unique<Side_of_mesh>(*m_side_tree);
@@ -117,7 +117,7 @@ public:
     const Vector away = q - closest.first;
     const FT length = std::sqrt(away.squared_length());
     if(!(length > 0)) return 0;
-    // The normal is unreliable next to the mesh, and where the facets at the closest point are thin or seen edge-on;
+    // The normal is unreliable close to the mesh, and where the facets at the closest point are thin or seen edge-on;
     // there, the exact sign is used. Closest points are assigned to edges up to `rounding()`, which is less than 1/10
     // of `doubtful * nearest * m_largest_coordinate`. Such an error turns `away` by less than `doubtful`.
     constexpr FT doubtful = 1e-5, nearest = 1e-8;
@@ -138,7 +138,7 @@ private:
     bool is_thin;
   };
 
-  // Walks from facet to facet while the next one is closer. The tree then visits few unnecessary boxes.
+  // Walks from facet to facet while the next facet is closer, so that the tree visits few unnecessary boxes.
   Distance_tree::Point_and_primitive_id descend(const Distance_kernel::Point_3& q, std::size_t facet) const
   {
     const auto closest_point = Distance_kernel().construct_projected_point_3_object();
@@ -164,7 +164,7 @@ private:
     return { closest, m_triangles.cbegin() + std::ptrdiff_t(facet) };
   }
 
-  // Bound on the rounding error of a closest point.
+  // Returns a bound on the rounding error of a closest point.
   FT rounding() const { return 32 * std::numeric_limits<FT>::epsilon() * m_largest_coordinate; }
 
   // Returns a unit vector, or zero for a facet too flat for `double`s.
@@ -176,7 +176,7 @@ private:
     return v / std::sqrt(v.squared_length());
   }
 
-  // The mesh has no removed facets, so that their numbers are consecutive.
+  // The mesh has no removed facets, so the indices of facets are consecutive.
   void compute_normals(const Input_mesh_3::Triangle_mesh& mesh)
   {
     m_facets.reserve(m_triangles.size());
@@ -204,8 +204,8 @@ private:
     for(Vector& n : m_vertex_normals) n = unit(n);
   }
 
-  // Returns the normal at a point of a facet. On a facet so thin that rounding hides the position of a point in it, and
-  // on its edges, it is zero.
+  // Returns the normal at a point of a facet. Returns zero on a facet, and on its edges, if the facet is so thin that
+  // positions in it are within rounding errors.
   Vector normal_at(std::size_t n, const Distance_kernel::Point_3& p) const
   {
     const Distance_kernel::Triangle_3& t = m_triangles[n];

@@ -21,7 +21,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Points, and polygons as positions of points.
+ * \brief points, and polygons as indices of points.
  */
 struct Polygon_soup
 {
@@ -33,10 +33,10 @@ struct Polygon_soup
 
 namespace internal {
 
-// Returns `SUCCESS`, `EMPTY_MESH`, `NOT_FINITE` or `COORDINATES_OUT_OF_RANGE`; `INVALID_PARAMETER` if a polygon refers
+// Returns `SUCCESS`, `EMPTY_MESH`, `NOT_FINITE`, or `COORDINATES_OUT_OF_RANGE`; `INVALID_PARAMETER` if a polygon refers
 // to a point that does not exist.
 Shell_status check_soup(const Polygon_soup& soup, Offending_simplices& offenders);
-// Returns the first position of a point in a polygon that is too large.
+// Returns the first index of a point in a polygon that is too large.
 // \pre `check_soup()` found such polygons
 inline Invalid_parameter invalid_position(const Polygon_soup& soup, const Offending_simplices& offenders)
 {
@@ -45,12 +45,12 @@ inline Invalid_parameter invalid_position(const Polygon_soup& soup, const Offend
     invalid.check("polygons", double(v), { 0, double(soup.points.size()), true, false });
   return invalid;
 }
-// Merges points at equal positions. Returns the position of the first point of each group, ascending.
+// Merges points at equal positions. Returns the index of the first point of each group, ascending.
 std::vector<std::size_t> merge_points(Polygon_soup& soup);
-// Returns the triangles of a polygon that have a positive area, as positions of its corners.
+// Returns the triangles of a polygon that have a positive area, as positions of its corners in the polygon.
 std::vector<std::array<std::size_t, 3> > triangles_of_polygon(const Polygon_soup& soup, std::size_t polygon);
-// Reverses polygons to agree with their neighbors, and counts the reversed ones. On failure, `offenders` lists the
-// elements that keep the soup from being a mesh.
+// Reverses polygons for a consistent orientation, and counts the reversed polygons. On failure, `offenders` lists the
+// elements that prevent the soup from being a mesh.
 Shell_status orient_soup(Polygon_soup& soup, Offending_simplices& offenders, std::size_t& turned);
 // Triangulates a soup that is a mesh; returns false if triangles would share edges that polygons do not share.
 bool triangulate(Polygon_soup& soup);

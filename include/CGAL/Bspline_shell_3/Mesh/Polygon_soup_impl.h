@@ -117,8 +117,8 @@ struct Orientation_notes : Polygon_mesh_processing::Default_orientation_visitor
   std::size_t& turned;
 };
 
-// An edge of a polygon. If `is_forward`, the polygon traverses it from the lower vertex to the upper one. Corners are
-// numbered polygon by polygon.
+// An edge of a polygon. If `is_forward`, the polygon traverses it from the lower vertex to the upper vertex. Corners
+// are numbered polygon by polygon.
 struct Edge_use
 {
   std::size_t lower, upper, polygon, lower_corner, upper_corner;
@@ -178,8 +178,9 @@ inline void for_each_edge(const std::vector<Edge_use>& uses, const Function& f)
   }
 }
 
-// Finds the defects that keep polygons from being a mesh. After some polygons are reversed, the two polygons at an edge
-// must traverse it in opposite directions. If the required reversals contradict each other, the surface is one-sided.
+// Finds the defects that prevent polygons from being a mesh. After some polygons are reversed, the two polygons at an
+// edge must traverse it in opposite directions. If the required reversals contradict each other, the surface is
+// one-sided.
 inline Shell_status diagnose_polygons(const std::vector<Edge_use>& uses, std::size_t number_of_polygons,
                                       std::vector<std::size_t>& offenders)
 {
@@ -227,7 +228,7 @@ inline Shell_status diagnose_polygons(const std::vector<Edge_use>& uses, std::si
 // polygons around a vertex form one fan.
 inline bool are_mesh(const std::vector<Edge_use>& uses, const Polygon_soup& soup)
 {
-  // union-find of corners at the same vertex that are at a common edge
+  // union-find of corners at the same vertex that share an edge
   std::size_t corners = 0;
   for(const auto& polygon : soup.polygons) corners += polygon.size();
   std::vector<std::size_t> parent(corners);

@@ -31,12 +31,12 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Triangles that close an open mesh: caps of its holes, and back sheets.
+ * \brief triangles that close an open mesh: caps of its holes, and back sheets.
  *
  * The shell of an open mesh is built for the closed mesh, and stores the closing. Every mesh with the same border, bit
- * for bit, can be closed by the same triangles. If both closed meshes are certified in the shell, the integral curves
- * map the open meshes one-to-one onto each other. They map the border to itself, because a curve that meets a triangle
- * of the closing meets both meshes there.
+ * for bit, can be closed by the same triangles. If two such closed meshes are certified in the shell, the integral
+ * curves map the open meshes one-to-one onto each other, because a curve that meets a triangle of the closing meets
+ * both meshes there. The border is mapped to itself.
  *
  * Border points are identified by their coordinates, because a closed and embedded mesh has no two vertices at the same
  * position.
@@ -46,14 +46,14 @@ class Shell_closing_3
 public:
   typedef std::array<double, 3> Point;
   typedef std::uint32_t Index;
-  typedef std::array<Index, 3> Triangle; ///< Positions of points, counterclockwise as seen from the front of the mesh.
+  typedef std::array<Index, 3> Triangle; ///< indices of points, counterclockwise as seen from the front of the mesh
 
   static constexpr Index npos = std::numeric_limits<Index>::max();
 
   enum class Kind : unsigned char
   {
-    CAP, ///< Part of a cap that fills a hole.
-    BACK ///< Part of a sheet behind the mesh, or of the strips that connect it to the border.
+    CAP, ///< part of a cap that fills a hole
+    BACK ///< part of a sheet behind the mesh, or of the strips that connect it to the border
   };
 
   Shell_closing_3() = default;
@@ -71,23 +71,23 @@ public:
   }
 
   const std::vector<Point>& points() const { return m_points; }
-  /// Number of border points, which are the first of all points.
+  /// returns the number of border points, which are the first of all points
   std::size_t number_of_border_points() const { return m_border; }
   const std::vector<Triangle>& triangles() const { return m_triangles; }
   const std::vector<Kind>& kinds() const { return m_kinds; }
-  /// Returns whether the triangles can close a mesh. Coordinates are finite, and triangles have different corners. Each
-  /// border point has one edge to the next border point, and all other edges have one triangle on either side. The
-  /// triangles at each point form one fan.
+  /// returns whether the triangles can close a mesh: coordinates are finite, and triangles have different corners; each
+  /// border point has one edge to the next border point, and all other edges have one triangle on each side; the
+  /// triangles at each point form one fan
   bool is_valid() const { return m_is_valid; }
-  /// Returns the number of the border point with these coordinates, or `npos`.
+  /// returns the index of the border point with these coordinates, or `npos`
   Index border_point(const Point& p) const
   {
     const auto found = m_border_point.find(p);
     return found == m_border_point.end() ? npos : found->second;
   }
 
-  /// Elements added to a mesh: the facets in the order of the triangles, and the vertices that are not border points,
-  /// in the order of the points.
+  /// the elements added to a mesh: the facets in the order of the triangles, and the vertices that are not border
+  /// points, in the order of the points
   template <typename FaceGraph>
   struct Attached
   {
@@ -95,24 +95,24 @@ public:
     std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> vertices;
   };
 
-  /// Closes a mesh by adding vertices and facets, and checks that the result is closed.
+  /// closes a mesh by adding vertices and facets, and checks that the result is closed.
   /// \tparam FaceGraph a model of `MutableFaceGraph` and `HalfedgeListGraph`
   /// \tparam VertexPointMap a model of `ReadWritePropertyMap` from its vertices to points with a constructor from three
   ///   `double`s
   /// \return nothing if the border of the mesh is not that of the closing, or if the mesh has another edge of the
   ///   closing; the mesh is then unchanged
-  /// \cgalHeading{Cost} linear in the size of the mesh
+  /// \cgalHeading{Cost} Linear in the size of the mesh.
   template <typename FaceGraph, typename VertexPointMap>
   std::optional<Attached<FaceGraph> > attach(FaceGraph& mesh, VertexPointMap vpm) const;
 
-  /// Opens the mesh again. Vertices that lose all facets are removed.
+  /// opens the mesh again; vertices that lose all facets are removed
   template <typename FaceGraph>
   static void detach(FaceGraph& mesh, const Attached<FaceGraph>& attached)
   {
     for(auto f = attached.faces.rbegin(); f != attached.faces.rend(); ++f) Euler::remove_face(halfedge(*f, mesh), mesh);
   }
 
-  /// Returns the border halfedges of a mesh, by `key(source, target)` of the border points that they connect. Returns
+  /// returns the border halfedges of a mesh, by `key(source, target)` of the border points that they connect. Returns
   /// nothing if the border is not that of the closing.
   template <typename FaceGraph, typename VertexPointMap>
   std::optional<std::unordered_map<std::uint64_t, typename boost::graph_traits<FaceGraph>::halfedge_descriptor> >
@@ -199,7 +199,7 @@ Shell_closing_3::match_border(const FaceGraph& mesh, VertexPointMap vpm) const
       ends[i] = border_point(internal::rounded_coordinates(p));
       if(ends[i] == npos) return std::nullopt;
     }
-    // A border that passes a point twice touches itself.
+    // A border with a repeated point touches itself.
     if(is_open.count(key(ends[0], ends[1])) == 0 || is_met[ends[0]]) return std::nullopt;
     is_met[ends[0]] = 1;
     border.emplace(key(ends[0], ends[1]), h);

@@ -128,7 +128,7 @@ private:
     }
   }
 
-  // Returns the same point for both directions of the edge; in every coordinate, it is between the ends.
+  // Returns the same point for both directions of the edge; each coordinate is between those of the ends.
   static Clip_point crossing(Clip_point p, Clip_point q, int axis, double c)
   {
     if(q < p) std::swap(p, q);
@@ -149,7 +149,7 @@ private:
   std::array<int, 3> m_behind = {}; // by axis: 1 if the cell behind a facet has the smaller coordinate
 };
 
-// Cuts the part of a polygon in a cell of a level further, down to the leaves: calls visit(leaf, polygon).
+// Cuts the part of a polygon in a cell of a level further, down to the leaves, and calls visit(leaf, polygon).
 class Leaf_cutter
 {
 public:
@@ -202,7 +202,7 @@ std::array<Clip_point, 3> triangle_to_clip(const InputMesh& input, std::size_t n
            Clip_point{ t[2].x(), t[2].y(), t[2].z() } };
 }
 
-// Returns the numbers of the corners of a triangle, in the order of `triangle_to_clip()`.
+// Returns the indices of the corners of a triangle, in the order of `triangle_to_clip()`.
 template <typename InputMesh>
 std::array<std::uint32_t, 3> corners_to_clip(const InputMesh& input, std::size_t n)
 {
@@ -234,11 +234,11 @@ inline Clip_point unit_normal(const std::array<Clip_point, 3>& t)
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief A mesh cut by the cells of a field (Remark 4.1 of the paper): convex polygons, each in one closed cell and
- * part of one facet.
+ * \brief a mesh cut by the cells of a field (Remark 4.1 of \cgalCite{CubicBsplineShell2025}): convex polygons, each in
+ * one closed cell and part of one facet.
  *
- * It is used for quadrature and for the search for extrema, where rounding of the cuts does no harm: a cut point lies
- * within a few units in the last place of the facet, and exactly on the planes between cells. Both facets at an edge
+ * It is used for quadrature and for the search for extrema, which tolerate rounding of the cuts: a cut point lies
+ * within a few units in the last place of the facet, and exactly on the planes between cells. The two facets at an edge
  * are cut at the same points, unless the edge lies in a plane between leaves of different sizes. Facets in a plane
  * between two cells belong to the cell behind them.
  */
@@ -249,20 +249,20 @@ public:
 
   struct Piece
   {
-    std::uint32_t cell;  ///< Number of the leaf cell; pieces are sorted by it.
-    std::uint32_t facet; ///< Number of the triangle that has the piece.
-    std::uint32_t size;  ///< Number of vertices of the piece.
-    std::size_t first;   ///< Its vertices are `point(first)` ... `point(first + size - 1)`.
+    std::uint32_t cell;  ///< index of the leaf cell, by which pieces are sorted
+    std::uint32_t facet; ///< index of the triangle to which the piece belongs
+    std::uint32_t size;  ///< number of vertices of the piece
+    std::size_t first;   ///< its vertices are `point(first)` ... `point(first + size - 1)`
   };
 
   std::size_t number_of_pieces() const { return m_pieces.size(); }
   const std::vector<Piece>& pieces() const { return m_pieces; }
   const Point& point(std::size_t n) const { return m_points[m_corners[n]]; }
-  /// Unit normal of a triangle of the mesh.
+  /// returns the unit normal of a triangle of the mesh
   const Point& normal(std::uint32_t facet) const { return m_normals[facet]; }
   std::size_t number_of_facets() const { return m_normals.size(); }
 
-  /// Returns the cells that have pieces, ascending, each once.
+  /// returns the cells that have pieces, ascending, without duplicates
   std::vector<std::uint32_t> cells() const
   {
     std::vector<std::uint32_t> cells;
@@ -285,7 +285,7 @@ public:
     return sum / 2;
   }
 
-  /// Estimates the number of pieces that `clip_mesh_to_cells()` creates at a spacing, without creating them.
+  /// estimates the number of pieces that `clip_mesh_to_cells()` creates at a spacing, without creating them
   template <typename InputMesh>
   static double estimated_number_of_pieces(const InputMesh& input, double spacing)
   {
@@ -310,14 +310,15 @@ private:
   friend Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cells& cells);
 
   std::vector<Piece> m_pieces;
-  std::vector<std::uint32_t> m_corners; // numbers of points of all pieces
-  std::vector<Point> m_points;          // vertices of the mesh first: most pieces are facets of a fine mesh
+  std::vector<std::uint32_t> m_corners; // indices of the points of all pieces
+  std::vector<Point> m_points;          // vertices of the mesh first, because most pieces are facets of a fine mesh
   std::vector<Point> m_normals;
 };
 
 namespace internal {
 
-// Calls visit(cell, part of a triangle in the cell, keys), which adds lattice keys. Returns them ascending, each once.
+// Calls visit(cell, part of a triangle in the cell, keys), which adds lattice keys. Returns them ascending, without
+// duplicates.
 template <typename ConcurrencyTag, typename InputMesh, typename Visitor>
 std::vector<std::uint64_t> cells_at_mesh(const InputMesh& input, const Lattice_3& lattice, const Visitor& visit)
 {
@@ -342,7 +343,7 @@ std::vector<std::uint64_t> cells_at_mesh(const InputMesh& input, const Lattice_3
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Returns the lattice keys of the cells that the mesh enters, ascending.
+ * \brief returns the lattice keys of the cells that the mesh enters, ascending.
  *
  * \pre the coordinates of `input` divided by the lattice's spacing are at most `Lattice_key::max_coordinate`
  */
@@ -358,20 +359,20 @@ std::vector<std::uint64_t> cells_entered_by_mesh(const InputMesh& input, const L
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Lattice keys of cells at a mesh, ascending.
+ * \brief lattice keys of cells at a mesh, ascending.
  */
 struct Cells_near_mesh
 {
-  std::vector<std::uint64_t> entered; ///< Cells that the mesh enters.
-  std::vector<std::uint64_t> near;    ///< Cells that the mesh enters, and cells near it.
+  std::vector<std::uint64_t> entered; ///< cells that the mesh enters
+  std::vector<std::uint64_t> near;    ///< cells that the mesh enters, and cells near it
 };
 
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Returns the cells that the mesh enters, and all cells whose interior has a point nearer than `distance` to a
- * point of the mesh along each axis. A few others are included, because the part of a facet in a cell is replaced by
- * its bounding box.
+ * \brief returns the cells that the mesh enters, and all cells whose interior has a point at less than `distance` from
+ * a point of the mesh along each axis. A few other cells are included, because the part of a facet in a cell is
+ * replaced by its bounding box.
  *
  * \pre the distance is less than the lattice's spacing (`dilate()` finds cells farther away), and the coordinates of
  * `input` divided by the spacing are at most `Lattice_key::max_coordinate`
@@ -394,7 +395,7 @@ Cells_near_mesh cells_near_mesh(const InputMesh& input, const Lattice_3& lattice
         }
         first[a] = (std::min)(p[a], lattice.interval(a, lowest - distance));
         last[a] = lattice.interval(a, highest + distance);
-        if(lattice.coordinate(a, last[a]) == highest + distance) --last[a]; // mirrored meshes get mirrored cells
+        if(lattice.coordinate(a, last[a]) == highest + distance) --last[a]; // a reflected mesh has the reflected cells
         last[a] = (std::max)(p[a], last[a]);
       }
       keys.push_back(entered | Lattice_key::encode(p[0], p[1], p[2]));
@@ -411,12 +412,12 @@ Cells_near_mesh cells_near_mesh(const InputMesh& input, const Lattice_3& lattice
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * Cuts every triangle of `input` by the leaf cells. Pieces are sorted by cell, then by facet, and do not depend on the
- * number of threads. A facet that is not cut takes about 70 bytes.
+ * cuts every triangle of `input` by the leaf cells. Pieces are sorted by cell and then by facet, and do not depend on
+ * the number of threads. A facet that is not cut takes about 70 bytes.
  *
  * \tparam Cells `Cell_complex_3` or `Cell_hierarchy_3`
  * \pre `cells` contain the mesh (`cells_entered_by_mesh()`)
- * \cgalHeading{Cost} linear in the number of pieces
+ * \cgalHeading{Cost} Linear in the number of pieces.
  */
 template <typename ConcurrencyTag, typename InputMesh, typename Cells>
 Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cells& cells)

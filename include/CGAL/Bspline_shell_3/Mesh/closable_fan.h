@@ -18,15 +18,17 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Returns whether the open fan of facets at a border vertex can be completed to face a common direction and wind
- * once around the vertex.
+ * \brief returns whether the open fan of facets at a border vertex can be completed by further facets so that all
+ * facets face a common direction and wind around the vertex once.
  *
  * This is the case if and only if there is a \f$g\f$ such that \f$\det(g, e_i, e_{i+1}) > 0\f$ for the directions
- * \f$e_i\f$ to the other vertices, and the fan turns by less than \f$2 \pi\f$ about \f$g\f$. A ramp that spirals around
- * the vertex by more cannot be completed, even if it does not intersect itself and faces one direction.
+ * \f$e_i\f$ to the other vertices, and the fan turns by less than \f$2 \pi\f$ about \f$g\f$. A ramp that spirals
+ * farther around the vertex cannot be completed, even if it does not intersect itself and its facets face a common
+ * direction.
  *
- * The test is exact. The directions for which \f$\det(g, e_k, e_0)\f$ is positive, and those for which it is negative,
- * form two convex cones. The number of full turns is constant on each cone, so one direction of each suffices.
+ * The test is exact. The directions for which \f$\det(g, e_k, e_0)\f$ is positive and those for which it is negative
+ * form two convex cones. The number of full turns is constant on each cone, so it suffices to test one direction in
+ * each.
  *
  * \param p the vertex
  * \param link the other vertices, in order: the facets are (`p`, `link[n]`, `link[n+1]`), and have positive area

@@ -22,7 +22,7 @@ namespace Bspline_shells {
 namespace internal {
 
 // Returns whether a fan turns by less than 2 pi about an axis that all its facets face. `side(n)` is the side of the
-// first edge on which edge n lies. The fan passes its first edge again where `side(n)` ceases to be negative.
+// first edge on which edge n lies; the fan passes its first edge again where `side(n)` is no longer negative.
 template <typename Side>
 bool turns_less_than_once(std::size_t size, const Side& side)
 {
@@ -70,7 +70,7 @@ bool is_fan_closable(const Exact_predicates_inexact_constructions_kernel::Point_
     return internal::turns_less_than_once(
       link.size(), [&](std::size_t n) { return CGAL::orientation(axis, first, exact(link[n])); });
   };
-  // Restrict the axis so that the fan ends more than half a turn after its first edge, or less.
+  // The axis is restricted so that the fan ends more than half a turn after its first edge, or less.
   internal::Vertex_fan beyond = fan, before = fan;
   beyond.wings.emplace_back(link.back(), link.front());
   before.wings.emplace_back(link.front(), link.back());

@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Origins of the elements of a copy, as positions in the ranges of vertices and faces.
+// The origins of the elements of a copy, as positions in the ranges of vertices and faces.
 struct Positions_of_origin
 {
   std::vector<std::size_t> vertices, faces;
@@ -36,8 +36,8 @@ struct Mesh_size
 {
   std::size_t vertices = 0, edges = 0;
 
-  // Returns whether a `Surface_mesh` can number the elements. Vertices and halfedges have 32 bits, and one number is
-  // reserved.
+  // Returns whether a `Surface_mesh` can number the elements. Indices of vertices and halfedges have 32 bits, and one
+  // index is reserved.
   bool has_numbers() const
   {
     constexpr std::size_t none = (std::numeric_limits<std::uint32_t>::max)();
@@ -58,15 +58,15 @@ Mesh_size triangulated_size(const FaceGraph& mesh)
 }
 
 // Copies a mesh with its vertices in Morton order. Facets are sorted by their lowest vertices, at which they begin, and
-// edges by the first of their facets. Passes over the copy then find nearby elements in the processor's cache. For a
-// file of 832 thousand facets sorted in this way, the shell took 69 % of the processor time. Furthermore, shells do not
-// depend on the numbering of the user's mesh, unless vertices share a cell of the order's grid.
+// edges by the first of their facets. Passes over the copy then find nearby elements in the processor's cache: for a
+// file of 832,000 facets, building the shell took 69 % of the processor time. Furthermore, shells do not depend on the
+// numbering of the user's mesh, unless vertices share a cell of the order's grid.
 //
 // Edges without facets and isolated vertices are omitted.
 //
 // \tparam FaceGraph a model of `FaceListGraph`
 // \tparam SurfaceMesh a `CGAL::Surface_mesh`
-// \param mesh the mesh; vertices may have several fans.
+// \param mesh the mesh; vertices may have several fans
 // \pre `triangulated_size(mesh).has_numbers()`
 // \param points coordinates, in the order of its vertices; finite
 // \param copy must be empty

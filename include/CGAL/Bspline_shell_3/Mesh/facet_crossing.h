@@ -17,9 +17,9 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Returns how a segment crosses a facet, exactly: 1 if it passes through the interior from back to front, -1 if
- * from front to back, 0 if they are certainly disjoint. Returns nothing if the segment touches an edge or a vertex,
- * ends on the facet, or lies in its plane.
+ * \brief returns, exactly, how a segment crosses a facet: 1 if it passes through the interior from back to front, -1 if
+ * from front to back, and 0 if they are disjoint; nothing if the segment touches an edge or a vertex, ends on the
+ * facet, or lies in its plane.
  *
  * \tparam Point_3 a point of a kernel with exact predicates
  */
@@ -29,7 +29,7 @@ std::optional<int> facet_crossing(const Point_3& p, const Point_3& q, const Poin
 {
   const Orientation at_p = orientation(a, b, c, p), at_q = orientation(a, b, c, q);
   if(at_p == at_q && at_p != COPLANAR) return 0;
-  // If the line meets the interior, all three edges pass it on the same side.
+  // The line meets the interior if it passes all three edges on the same side.
   const Orientation ab = orientation(p, q, a, b), bc = orientation(p, q, b, c), ca = orientation(p, q, c, a);
   const bool left = ab == POSITIVE || bc == POSITIVE || ca == POSITIVE,
              right = ab == NEGATIVE || bc == NEGATIVE || ca == NEGATIVE;

@@ -21,7 +21,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Enclosure of a facet normal. For some positive factor, each component of the exact normal times the factor
+ * \brief an enclosure of a facet normal: for some positive factor, each component of the exact normal times the factor
  * differs from `direction` by at most `radius`. The largest component is close to one.
  */
 struct Facet_normal
@@ -33,10 +33,10 @@ struct Facet_normal
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Returns an enclosure of the normal of a triangle with `double` vertices. It is computed in `double`s, or from
- * the exact cross product if cancellation is too large (needles, facets far from the origin).
+ * \brief returns an enclosure of the normal of a triangle with `double` vertices. It is computed in `double`s, or from
+ * the exact cross product if cancellation is too large (for needles, and for facets far from the origin).
  *
- * \pre the triangle is not degenerate; otherwise the result has no meaning
+ * \pre the triangle is not degenerate; otherwise, the result has no meaning
  */
 template <typename Point_3>
 Facet_normal facet_normal(const Point_3& p, const Point_3& q, const Point_3& r)
@@ -79,7 +79,7 @@ Facet_normal facet_normal(const Point_3& p, const Point_3& q, const Point_3& r)
   }
   if(scale == 0) return Facet_normal{ {}, 1 };
   for(int a = 0; a < 3; ++a) n[a] = internal::rounded(ET(en[a] / scale));
-  return normalized(n, 2 * eps); // rounding of a number in [-1, 1] errs by at most one unit in the last place
+  return normalized(n, 2 * eps); // a number in [-1, 1] is rounded by at most one unit in the last place
 }
 
 } // namespace Bspline_shells

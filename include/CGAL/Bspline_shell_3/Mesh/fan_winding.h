@@ -76,24 +76,6 @@ auto vertex_link(const TriangleMesh& mesh, typename boost::graph_traits<Triangle
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Returns the `link_winding_number()` of the facets at a vertex of a mesh.
- *
- * \tparam TriangleMesh a model of `HalfedgeGraph` with an internal vertex point map, whose points have a kernel with
- *   exact predicates
- * \param mesh the mesh
- * \param v a vertex that is not on a border
- * \param on_axis a point on the axis, in the direction that the facets face from `v`
- */
-template <typename TriangleMesh, typename Point_3>
-std::size_t fan_winding_number(const TriangleMesh& mesh,
-                               typename boost::graph_traits<TriangleMesh>::vertex_descriptor v, const Point_3& on_axis)
-{
-  return link_winding_number(get(get(CGAL::vertex_point, mesh), v), on_axis, internal::vertex_link(mesh, v));
-}
-
-/*!
- * \ingroup PkgBsplineShell3Mesh
- *
  * \brief Returns whether all facets at a vertex face the mean of their normals and wind around it once. The projection
  * of the fan along the mean is then one-to-one, so that two facets have only the vertex or an edge in common.
  *

@@ -116,8 +116,8 @@ private:
 
 // Finds pairs of facets that intersect, except for pairs of two *unclear* facets. A facet is unclear if the fan of one
 // of its vertices may not be embedded. Facets that share a vertex with a clear facet intersect it only in common
-// vertices and edges, and are not tested. These are most of the pairs, and the expensive ones, as neighbors are almost
-// coplanar.
+// vertices and edges, and are not tested. Such pairs are the most frequent and, because neighbors are almost coplanar,
+// the most expensive to test.
 template <typename TriangleMesh>
 class Facet_intersections
 {
@@ -195,8 +195,9 @@ private:
   const std::vector<char>& m_is_embedded;
 };
 
-// Returns pairs of facets that intersect, in their order, at most `most_pairs` of them. The result does not depend on
-// the number of threads. For large meshes, pairs are found in the cells of a grid; one cell fits the processor's cache.
+// Returns at most `most_pairs` pairs of facets that intersect, in their order. The result does not depend on the number
+// of threads. For large meshes, pairs are found in the cells of a grid, so that the facets of a cell fit into the
+// processor's cache.
 // \param is_embedded result of `embedded_fans()` for the mesh
 template <typename ConcurrencyTag, typename TriangleMesh>
 std::vector<std::pair<typename TriangleMesh::Face_index, typename TriangleMesh::Face_index> > intersecting_facets(
@@ -205,8 +206,8 @@ std::vector<std::pair<typename TriangleMesh::Face_index, typename TriangleMesh::
 {
   typedef typename TriangleMesh::Face_index Face_index;
   typedef std::pair<Face_index, Face_index> Pair;
-  // A surface fills a few times `most_squares` cells; the grid then has about 250 thousand cells, and takes less memory
-  // than very large meshes.
+  // A surface fills a few times `most_squares` cells; the grid then has about 250,000 cells, and takes less memory than
+  // very large meshes.
   constexpr std::size_t least_cells = 8, most_squares = 4096, most_copies = 3;
   std::vector<Pair> pairs;
   std::vector<Face_index> unclear;
@@ -229,7 +230,7 @@ std::vector<std::pair<typename TriangleMesh::Face_index, typename TriangleMesh::
     const auto np = CGAL::parameters::maximum_number(most_pairs);
     std::vector<Pair> found;
     Polygon_mesh_processing::self_intersections<ConcurrencyTag>(unclear, mesh, std::back_inserter(found), np);
-    if(found.size() >= most_pairs) { // the pairs depend on threads
+    if(found.size() >= most_pairs) { // these pairs depend on the threads
       found.clear();
       Polygon_mesh_processing::self_intersections<Sequential_tag>(unclear, mesh, std::back_inserter(found), np);
     }

@@ -21,8 +21,8 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// Cuts off ears, the best-shaped first. Orientations are exact, in the projection of the polygon along the axis nearest
-// to its normal.
+// Cuts off ears, those with the best shape first. Orientations are exact, in the projection of the polygon along the
+// axis nearest to its normal.
 class Ear_clipping
 {
   typedef Exact_predicates_inexact_constructions_kernel Kernel;
@@ -54,7 +54,7 @@ public:
     bool is_stuck = false;
     while(result.size() + 2 < m_points.size()) {
       if(m_queue.empty()) {
-        is_stuck = waiting.empty() || m_has_waited; // the polygon is not simple: cut it anyway
+        is_stuck = waiting.empty() || m_has_waited; // the polygon is not simple; it is cut anyway
         for(const Ear& ear : waiting) m_queue.push(ear);
         if(m_queue.empty())
           for(std::size_t i = 0; i < m_points.size(); ++i)
@@ -101,7 +101,7 @@ private:
     for(int a = 1; a < 3; ++a)
       if(std::abs(normal[a]) > std::abs(normal[axis])) axis = a;
     for(const Point_3& p : m_points) m_projected.emplace_back(p[(axis + 1) % 3], p[(axis + 2) % 3]);
-    // A simple polygon has the orientation of the turn at its least vertex.
+    // A simple polygon has the orientation of the turn at its smallest vertex.
     const std::size_t least = std::min_element(m_projected.begin(), m_projected.end()) - m_projected.begin();
     m_orientation = turn(m_previous[least], least, m_next[least]);
     if(m_orientation == COLLINEAR) m_orientation = normal[axis] < 0 ? RIGHT_TURN : LEFT_TURN;
@@ -168,15 +168,15 @@ private:
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Triangulates a polygon in space, without new vertices, by cutting off ears, the best-shaped first.
+ * \brief triangulates a polygon in space without new vertices, by cutting off ears, those with the best shape first.
  *
- * `CGAL::Polygon_mesh_processing::triangulate_faces()` is better for polygons that are far from planar, but takes
- * longer to compile than all other checks of the mesh.
+ * `CGAL::Polygon_mesh_processing::triangulate_faces()` gives better results for polygons that are far from planar, but
+ * takes longer to compile than all other checks of the mesh.
  *
  * \param polygon at least three vertices
  * \return indices of vertices: a triangle is cut off at its second vertex, which no later triangle has. If the
  *   projection of the polygon along an axis is simple, all triangles have the orientation of the polygon, and none is
- *   degenerate. Otherwise some may be.
+ *   degenerate. Otherwise, some may be degenerate or reversed.
  * \cgalHeading{Cost} \f$O(n \log n + n r)\f$ for \f$n\f$ vertices of which \f$r\f$ are not convex
  */
 inline std::vector<std::array<std::size_t, 3> > triangulate_polygon(

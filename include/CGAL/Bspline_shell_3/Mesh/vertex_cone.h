@@ -61,12 +61,12 @@ std::optional<double> bounded_cone_margin(const Vertex_fan& fan, double bound);
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Returns a direction that all facets at a vertex face, if there is one: a \f$g\f$ with \f$n_i \cdot g > 0\f$
+ * \brief returns a direction that all facets at a vertex face, if there is one: a \f$g\f$ with \f$n_i \cdot g > 0\f$
  * for the normals \f$n_i\f$ of all incident facets.
  *
- * Without such a direction the vertex is *singular*: no field can satisfy the acute angle condition there. Existence is
- * decided exactly. The kernel's orientation predicate confirms the mean of the normals as a candidate; if it is not
- * such a direction, a linear program is solved in rational arithmetic.
+ * Without such a direction, the vertex is *singular*: no field can increase across all of its facets. Existence is
+ * decided exactly. First, the kernel's orientation predicate tests the mean of the normals; if it is not such a
+ * direction, a linear program is solved in rational arithmetic.
  *
  * \tparam TriangleMesh a model of `HalfedgeGraph` with an internal vertex point map; the coordinates of its points are
  *   of type `double`
@@ -84,9 +84,9 @@ std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> vertex_co
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Returns the axis of a cone of unit vectors \f$n_i\f$: the direction of the unit vector \f$g\f$ with the
- * largest \f$\min_i n_i \cdot g\f$. Its length is this minimum if it is positive. If it is zero, up to rounding, no
- * direction has positive products with all vectors.
+ * \brief returns the axis of a cone of unit vectors \f$n_i\f$: the direction of the unit vector \f$g\f$ with the
+ * largest \f$\min_i n_i \cdot g\f$. Its length is this minimum if it is positive. If the axis is zero, up to rounding,
+ * no direction has positive products with all vectors.
  *
  * The axis is the point of the convex hull nearest to the origin, and the center of the smallest ball around the
  * vectors. It is computed in `double`s, to about 1e-12.
@@ -99,8 +99,8 @@ std::array<double, 3> cone_axis(
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Returns the cone margin of a vertex: the length of `cone_axis()` of the unit normals of its facets. It is one
- * on a plane and zero at a singular vertex; `vertex_cone()` decides exactly whether it is zero.
+ * \brief returns the cone margin of a vertex: the length of `cone_axis()` of the unit normals of its facets. It is one
+ * in a plane, small at sharp cones, and zero at singular vertices; `vertex_cone()` decides exactly whether it is zero.
  */
 template <typename TriangleMesh>
 double vertex_cone_margin(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
@@ -111,8 +111,8 @@ double vertex_cone_margin(const TriangleMesh& mesh, typename boost::graph_traits
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief Returns the minimum of `vertex_cone_margin()` and `bound`. If it is `bound`, this is much faster than
- * computing the margin, because one direction that the facets face may prove it.
+ * \brief returns the minimum of `vertex_cone_margin()` and `bound`. If it is `bound`, this is much faster than
+ * computing the margin, because one direction that all facets face may prove it.
  *
  * \pre as for `vertex_cone()`
  * \return the minimum; nothing at a singular vertex, as decided by `vertex_cone()`

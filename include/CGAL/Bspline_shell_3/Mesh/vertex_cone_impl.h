@@ -53,7 +53,7 @@ CGAL_BSPLINE_SHELL_3_INLINE std::optional<std::array<Exact_rational, 3> > exact_
     g[c] = it->numerator() / it->denominator();
     largest = (std::max)(largest, ET(CGAL::abs(g[c])));
   }
-  for(ET& x : g) x /= largest; // rounded components neither overflow nor vanish
+  for(ET& x : g) x /= largest; // rounded components neither overflow nor underflow
   return g;
 }
 
@@ -66,7 +66,7 @@ inline Fan_normals facet_normals(const Vertex_fan& fan)
   return normals;
 }
 
-// Returns whether a facet certainly faces the exact difference of two points, given the rounded difference.
+// Returns whether a facet is proved to face the exact difference of two points, given the rounded difference.
 // \pre the difference is zero, or far from underflow
 inline bool certainly_faces(const Facet_normal& normal,
                             const Exact_predicates_inexact_constructions_kernel::Vector_3& difference)
@@ -99,7 +99,7 @@ inline std::optional<Exact_predicates_inexact_constructions_kernel::Vector_3> co
   if(mean != NULL_VECTOR) {
     const Point_3 s = p + std::sqrt(reach) * unit(mean);
     const Vector_3 g = s - p; // has the length of an edge whose square does not underflow, or is zero
-    // Not if squared edge lengths overflow, or normals cancel.
+    // Not if squared edge lengths overflow or normals cancel.
     bool faced = std::isfinite(s.x()) && std::isfinite(s.y()) && std::isfinite(s.z());
     for(std::size_t i = 0; i < wings.size() && faced; ++i)
       faced = certainly_faces(normals[i], g) || CGAL::orientation(p, wings[i].first, wings[i].second, s) == POSITIVE;

@@ -26,34 +26,34 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief the differential of the move of a point along its integral curve by a fixed difference of the field's value: a
- * linear map between vectors.
+ * \brief the differential of the flow that moves points along integral curves by a fixed difference of the field's
+ * value: a linear map between vectors.
  *
- * It maps vectors along the curve at the start to vectors along the curve at the end. The differentials of maps between
- * surfaces are composed of it and of the move along the curve to the surface.
+ * It maps vectors along the curve at the start to vectors along the curve at the end. The differential of a map between
+ * surfaces is that of the flow, followed by a projection along the curve onto the surface.
  */
 struct Flow_differential
 {
   Flow_status status = Flow_status::CANCELED;
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity(); ///< derivatives of the end with respect to the start
-  /// velocity of the curve at its end, with the field's value as time
+  /// velocity of the curve at its end, parametrized by the field's value
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
 
   explicit operator bool() const { return status == Flow_status::SUCCESS; }
 
-  /// returns the differential of the map along the curves to a plane, or to a surface with this tangent plane. Images
-  /// lie in the plane, and vectors along the curve are mapped to zero.
+  /// returns the differential of the map along the curves onto a surface with this normal at the end. Vectors are
+  /// mapped into the tangent plane, and vectors along the curve to zero.
   /// \pre the normal is not orthogonal to the velocity
   Eigen::Matrix3d onto_plane(const Eigen::Vector3d& normal) const
   {
     CGAL_precondition(normal.dot(velocity) != 0);
     return matrix - velocity * (normal.transpose() * matrix) / normal.dot(velocity);
   }
-  /// returns the differential of the map along the curves to the level set through the end
+  /// returns the differential of the map along the curves onto the level set through the end
   Eigen::Matrix3d onto_level_set() const { return onto_plane(velocity); }
 
-  /// applies the inverse of a linear map at the end. A plane at the end is then given before the linear map, instead of
-  /// its image.
+  /// composes with the inverse of a linear map at the end. A plane at the end is then given before the linear map,
+  /// instead of its image.
   /// \pre `linear` is invertible
   void prepend_to_end(const Eigen::Matrix3d& linear)
   {
@@ -61,7 +61,7 @@ struct Flow_differential
     matrix = inverse * matrix;
     velocity = inverse * velocity;
   }
-  /// applies a linear map at the start
+  /// composes with a linear map at the start
   void append_to_start(const Eigen::Matrix3d& linear) { matrix *= linear; }
 };
 
@@ -102,12 +102,12 @@ class Gradient_flow_3
 public:
   typedef typename Shell::Point_3 Point_3;
 
-  /// returns 1e-9 of the longest side of the bounding box of the mesh that the shell was built for, or 256 units in the
-  /// last place of the coordinates, if that is more.
+  /// returns 1e-9 of the box size of the mesh for which the shell was built, or 256 units in the last place of the
+  /// coordinates if this is more.
   ///
-  /// A curve takes about ten steps. Each step adds up seven stages and rounds each coordinate by some units in the last
-  /// place. The sum over steps and coordinates is about a hundred units, and more where a curve meets a facet at an
-  /// angle. A smaller tolerance cannot be met.
+  /// A smaller tolerance cannot be met: a curve takes about ten steps, and each step adds up seven stages and rounds
+  /// each coordinate by some units in the last place. The sum over steps and coordinates is about a hundred units, and
+  /// more where a curve meets a facet at an oblique angle.
   static double default_tolerance(const Shell& shell)
   {
     return (std::max)(1e-9 * shell.report().unit, 256 * internal::coordinate_rounding(shell));
@@ -123,9 +123,9 @@ public:
 
   /// \pre `shell` outlives this object
   /// \param shell a shell; if it is not valid (`!shell`), all points have the status `NO_SHELL`
-  /// \param tolerance largest distance of the end from the exact one, user units; 0 stands for the default. The
-  ///   distance is an estimate: the errors of the steps are followed along the curve to first order. Curves that
-  ///   diverge are traced in shorter steps. If the accuracy of `double`s does not suffice, the status is
+  /// \param tolerance largest distance of the end from the exact end, in the units of the coordinates; 0 stands for the
+  ///   default. The distance is estimated: the errors of the steps are propagated along the curve to first order.
+  ///   Curves that diverge are traced in shorter steps. If the accuracy of `double`s does not suffice, the status is
   ///   `TOLERANCE_NOT_MET`.
   explicit Gradient_flow_3(const Shell& shell, double tolerance = 0)
     : m_shell(&shell), m_tolerance(tolerance > 0 ? tolerance : default_tolerance(shell))
@@ -135,7 +135,7 @@ public:
   const Shell& shell() const { return *m_shell; }
   double tolerance() const { return m_tolerance; }
 
-  /// traces the curve from a point to where the field is `level`.
+  /// traces the curve from a point to the point where the field is `level`.
   /// \tparam Point a type with the coordinates `p[0]`, `p[1]`, `p[2]`
   template <typename Point>
   Arrival trace(const Point& p, double level) const
@@ -151,7 +151,7 @@ public:
   }
 
   /// returns the differential of `trace()`, from the variational equation with the Hessian of the field. Its relative
-  /// error is about the tolerance divided by the longest side of the bounding box.
+  /// error is about the tolerance divided by the box size.
   template <typename Point>
   Flow_differential differential(const Point& p, double level) const
   {

@@ -26,8 +26,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief the facets of a mesh to project to (`Projection_target_3`), independent of the type of the mesh: their
- * corners, neighbors and normals, and an AABB tree.
+ * \brief the facets of a mesh to project onto (`Projection_target_3`), independent of the type of the mesh: their
+ * corners, neighbors, and normals, and an AABB tree.
  *
  * Facets are numbered. Edge `i` of a facet leads from vertex `i` to the next. Const member functions may be called
  * concurrently.
@@ -56,7 +56,7 @@ public:
   bool has_area(Index facet) const { return normal(facet) != Coordinates{}; }
   Index neighbor(Index facet, int edge) const { return m_facets[facet].neighbor[edge]; } ///< `npos` at a border
 
-  /// returns whether no facet has a border edge
+  /// returns whether the mesh has no border edges
   bool is_closed() const
   {
     return std::all_of(m_facets.begin(), m_facets.end(), [](const Facet& f) {
@@ -91,7 +91,7 @@ public:
     Coordinates barycentric;
     /// distance from the facet, if the point is outside; otherwise, minus the distance from the nearest edge
     double outside;
-    /// the edge whose line the point is farthest outside of, or nearest to
+    /// the edge whose line the point is farthest outside of or, if it is inside, nearest to
     int edge;
     /// barycentric coordinates of the nearest point of the facet
     Coordinates nearest;
@@ -112,13 +112,13 @@ public:
   }
 
   /// returns the facet nearest to `p` that the straight segment from `p + first * direction` to `p + last * direction`
-  /// meets from behind. If there is none, returns the facet that the line misses least, of those whose bounding boxes
-  /// come as near to the segment as `margin`; `npos` if there are none.
+  /// meets from behind. If there is none, returns the facet that the line misses least among those whose bounding boxes
+  /// are within `margin` of the segment, or `npos`.
   Index facet_on_line(const Coordinates& p, const Coordinates& direction, double first, double last,
                       double margin) const;
 
-  /// returns a facet that the segment meets from behind, found by walking over edges from `facet`. Returns `npos` if a
-  /// facet on the way does not face along `direction`, or if the walk ends at a border, beyond the segment, or after
+  /// returns a facet that the segment meets from behind, found by a walk over edges from `facet`. Returns `npos` if a
+  /// facet on the walk does not face along `direction`, or if the walk ends at a border, beyond the segment, or after
   /// too many moves.
   Index facet_on_line_near(Index facet, const Coordinates& p, const Coordinates& direction, double first,
                            double last) const;

@@ -149,8 +149,8 @@ public:
     m_tree.traversal(query, traits);
   }
 
-  // Returns a facet near a point, not necessarily the nearest one. Takes the nearest of some facets, then of some that
-  // are close to it in Morton order, until these are all.
+  // Returns a facet near a point, not necessarily the nearest facet. Takes the nearest of a sample of all facets, and
+  // then repeatedly of a finer sample close to it in Morton order.
   Index facet_near(const std::vector<Facet>& facets, const Coordinates& p) const
   {
     constexpr std::size_t some = 64;
@@ -208,7 +208,7 @@ private:
 
   std::vector<Index> m_facets; // in the order of groups
   Boxes m_boxes;
-  // in the same order, since facets of a group may be far from each other in memory
+  // in the same order, because facets of a group may be far from each other in memory
   std::vector<Bbox_3> m_boxes_of_facets;
   AABB_tree<Traits> m_tree;
 };
@@ -260,8 +260,8 @@ CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Position Projection_facets_3::p
     longest = (std::max)(longest, lengths[i]);
   }
   Coordinates& w = result.barycentric;
-  // Rounding moves a point by eps / thinness, relative to its distance from the facet's vertex. After a second step,
-  // the factor is squared.
+  // Rounding moves a point by eps / thinness, relative to its distance from the facet's vertex. A second step squares
+  // this factor.
   constexpr double thin = 1e-6;
   if(squared > thin * thin * longest * longest) {
     const Coordinates inwards[2] = { cross(f.normal, e[2]), cross(f.normal, e[0]) }, d = difference(p, f.vertex[0]);
@@ -284,7 +284,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Position Projection_facets_3::p
   result.outside = std::copysign(std::sqrt(std::abs(result.outside) * squared), result.outside);
   result.nearest = result.barycentric;
   if(!(result.outside > 0)) return result;
-  // If two edges meet at a small angle, a point far from both may be next to their lines.
+  // If two edges meet at a small angle, a point far from the edges may be close to their lines.
   result.outside = nearest_on_edges(f, p, result.nearest);
   return result;
 }
@@ -367,7 +367,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Projection_facets_3::Index Projection_facets_3::face
 {
   using internal::cross;
   using internal::dot;
-  constexpr int most_moves = 16; // more moves take longer than a query of the tree
+  constexpr int most_moves = 16; // more moves would take longer than a query of the tree
   for(int moves = 0; moves < most_moves; ++moves) {
     const Facet& f = m_facets[facet];
     const double volume = dot(f.normal, direction);

@@ -29,9 +29,9 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief the triangles of a mesh to project to: their coordinates in `double`s, their neighbors, and an AABB tree.
+ * \brief the triangles of a mesh to project onto: their coordinates as `double`s, their neighbors, and an AABB tree.
  *
- * Facets are numbered in the order of `faces(mesh)`. Vertex `i` of a facet is, in this order, `source(h)`, `target(h)`,
+ * Facets are numbered in the order of `faces(mesh)`. Vertices 0, 1, and 2 of a facet are `source(h)`, `target(h)`, and
  * `target(next(h))` of its halfedge `h`, as for `CGAL::Polygon_mesh_processing::Face_location`. Edge `i` leads from
  * vertex `i` to the next. Objects cannot be copied. Const member functions may be called concurrently.
  *
@@ -47,9 +47,9 @@ public:
   typedef typename Graph_traits::face_descriptor face_descriptor;
 
   /// copies coordinates and neighbors. If a facet is not a triangle or a coordinate is not finite, the target is not
-  /// valid. If `truncation` replaces tips of the mesh, curves are traced to the truncated mesh.
+  /// valid. If `truncation` truncates tips of the mesh, curves are traced to the truncated mesh.
   /// \param vpm a model of `ReadablePropertyMap` from the mesh's vertices to points of a kernel
-  /// \pre the mesh outlives this object and does not change. A mesh that stores dynamic properties in itself, like
+  /// \pre the mesh outlives this object and does not change. A mesh that stores its dynamic properties, such as a
   ///   `Surface_mesh`, must not be prepared by two threads at once.
   template <typename VertexPointMap>
   Projection_target_3(const TriangleMesh& mesh, VertexPointMap vpm,
@@ -102,10 +102,10 @@ public:
     return found == m_border.end() ? nullptr : &found->second;
   }
   /// \name Truncation
-  /// Curves are traced from and to the truncated mesh, which lies in the shell. If no tips are replaced, it is the mesh
-  /// itself.
+  /// Curves are traced from and to the truncated mesh, which lies in the shell. If no tips are truncated, it is the
+  /// mesh itself.
   /// @{
-  /// returns the facets that curves are traced to; they have their own numbers
+  /// returns the facets to which curves are traced; they have their own indices
   const Projection_facets_3& traced_facets() const { return m_truncated ? m_truncated->facets() : *this; }
   /// maps a place (facet and barycentric coordinates) on the mesh to the traced facets
   std::pair<Index, Coordinates> traced(const std::pair<Index, Coordinates>& place) const
@@ -134,7 +134,7 @@ public:
              : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
   }
   /// @}
-  std::size_t number_of_facets() const { return m_faces.size(); } ///< also if the target is not valid
+  std::size_t number_of_facets() const { return m_faces.size(); } ///< even if the target is not valid
   face_descriptor face_of(Index facet) const { return m_faces[facet]; }
   Index facet_of(face_descriptor f) const { return get(m_index, f); }
 

@@ -23,11 +23,11 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief maps points of a polygon soup along integral curves to its proxy, a mesh in the shell, like
+ * \brief maps points of a polygon soup along integral curves onto its proxy, a mesh in the shell, like
  * `Shell_projection_3`.
  *
  * Points that are not in the shell, or whose curves leave it without meeting the proxy, are mapped to the nearest point
- * of the proxy. These images are marked (`Projected_point::is_continued`), and several points may share one.
+ * of the proxy. These images are marked (`Projected_point::is_continued`), and several points may have the same one.
  *
  * \tparam Shell a `CGAL::Bspline_shell_3`
  * \tparam TriangleMesh a model of `FaceListGraph`

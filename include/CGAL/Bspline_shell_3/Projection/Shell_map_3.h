@@ -37,26 +37,27 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief the map between two meshes in a shell, along the integral curves of its field.
+ * \brief the map between two meshes in a shell, which follows integral curves from one mesh to the other.
  *
- * If both meshes have a certificate of the certified shell (`Shell_certificate_3`), the map is one-to-one. The map
- * requires no certificate, but compares the components of both meshes:
- * - If the shell is certified and both meshes are closed, or closed by `Bspline_shell_3::closing()`, the map is refused
- *   with `COMPONENTS_DIFFER` if a component of the shell holds no part of one of the meshes: no vertex, and no crossing
- *   with the paths through the component.
- * - Otherwise, paths through the shell are sought at the largest facets of each component of both meshes. If each
- *   component has a path through it that crosses the other mesh, or is crossed by one through that mesh, the status is
- * `SUCCESS`; otherwise, it is `COMPONENTS_UNKNOWN`. Points are mapped in both cases.
+ * If the two meshes are certified in the same certified shell (`Shell_certificate_3`), the map is one-to-one.
+ * Certificates are not required, but the constructor compares the components of the meshes:
+ * - If the shell is certified, and each mesh is closed or is closed by `Bspline_shell_3::closing()`, each mesh must
+ *   have a vertex in each component of the shell, or be crossed by the paths through this component. Otherwise, the
+ *   status is `COMPONENTS_DIFFER`, and no points are mapped; if all paths through the component are degenerate, it is
+ *   `COMPONENTS_UNKNOWN`.
+ * - For other shells and meshes, segments through the shell are constructed at the largest facets of each component of
+ *   the two meshes. If each component is crossed by such a segment that also crosses the other mesh, the status is
+ *   `SUCCESS`; otherwise, it is `COMPONENTS_UNKNOWN`. Points are mapped in both cases.
  *
- * The map stores the data that both directions need, with a tree of boxes for each mesh, and shares it with copies and
- * with its inverse. All of these may be used concurrently. The shell and the meshes must outlive them and not change.
+ * The map stores an AABB tree for each mesh, which it shares with its copies and with its inverse. Const member
+ * functions may be called concurrently. The shell and the meshes must outlive the map and must not change.
  *
  * \tparam Shell_ a `CGAL::Bspline_shell_3`
  * \tparam SourceMesh_ a model of `FaceListGraph`
  * \tparam TargetMesh_ a model of `FaceListGraph`
- * \tparam ProjectionToSource_ projection of points of the shell to the source, callable with and without a `Hint`;
+ * \tparam ProjectionToSource_ projection of points of the shell onto the source, callable with and without a `Hint`;
  *   projections other than the default are for polygon soups (`Soup_map_3`), for which components are not compared
- * \tparam ProjectionToTarget_ projection of points of the shell to the target
+ * \tparam ProjectionToTarget_ projection of points of the shell onto the target
  */
 template <typename Shell_, typename SourceMesh_, typename TargetMesh_ = SourceMesh_,
           typename ProjectionToSource_ = Shell_projection_3<Shell_, SourceMesh_>,
@@ -76,7 +77,8 @@ public:
   typedef typename Projection_to_target::Coordinates Coordinates;
   typedef typename boost::graph_traits<Source_mesh>::vertex_descriptor Source_vertex;
 
-  /// prepares the map. If a mesh has facets that are not triangles, all images have the status `INVALID_MESH`.
+  /// prepares the map. If a mesh has facets that are not triangles, or coordinates that are not finite, all images have
+  /// the status `INVALID_MESH`.
   /// \param shell a shell; if it is not valid (`!shell`), all images have the status `NO_SHELL`
   /// \param source a mesh in the shell
   /// \param target another mesh in the shell
@@ -86,7 +88,8 @@ public:
   ///       \cgalParamDescription{vertex point map of the source}
   ///     \cgalParamNEnd
   ///     \cgalParamNBegin{tolerance}
-  ///       \cgalParamDescription{tolerance of the tracing, as for `Gradient_flow_3`, user units}
+  ///       \cgalParamDescription{tolerance of the tracing in both directions, as for `Gradient_flow_3`, in the units of
+  ///         the coordinates}
   ///       \cgalParamType{`double`}
   ///       \cgalParamDefault{`Gradient_flow_3::default_tolerance()`}
   ///     \cgalParamNEnd
@@ -114,7 +117,7 @@ public:
   template <typename... NP>
   Shell_map_3(const Shell&, const Source_mesh&, const Target_mesh&&, const NP&...) = delete;
 
-  /// constructs the map between the targets of two projections in the same shell
+  /// constructs the map between the meshes of two projections in the same shell
   Shell_map_3(Projection_to_source to_source, Projection_to_target to_target)
     : m_to_source(std::move(to_source)), m_to_target(std::move(to_target))
   {
@@ -125,7 +128,7 @@ public:
       m_status = compare_components();
   }
 
-  /// returns `SUCCESS`, or the status of all images. With `COMPONENTS_UNKNOWN`, points are mapped nevertheless.
+  /// returns `SUCCESS` or `COMPONENTS_UNKNOWN` if points are mapped, and otherwise the status of all images
   Flow_status status() const { return m_status; }
   /// returns whether points are mapped; each image then has its own status
   bool maps_points() const { return m_status == Flow_status::SUCCESS || m_status == Flow_status::COMPONENTS_UNKNOWN; }
@@ -133,23 +136,23 @@ public:
   const Shell& shell() const { return m_to_target.shell(); }
   const Source_mesh& source() const { return m_to_source.target().mesh(); }
   const Target_mesh& target() const { return m_to_target.target().mesh(); }
-  const Projection_to_source& to_source() const { return m_to_source; } ///< projection for points anywhere in the shell
-  const Projection_to_target& to_target() const { return m_to_target; } ///< projection for points anywhere in the shell
+  const Projection_to_source& to_source() const { return m_to_source; } ///< for points anywhere in the shell
+  const Projection_to_target& to_target() const { return m_to_target; } ///< for points anywhere in the shell
 
-  /// returns the map along the same curves in the other direction, in constant time
+  /// returns the inverse map, in constant time
   Shell_map_3<Shell, Target_mesh, Source_mesh, Projection_to_target, Projection_to_source> inverse() const
   {
     return { m_to_target, m_to_source, m_status };
   }
 
-  /// returns the point of a location on the source
+  /// returns the coordinates of a location on the source
   Coordinates point(const Source_location& location) const
   {
     return m_to_source.target().point(m_to_source.target().facet_of(location.first), location.second);
   }
 
   /// returns the point from which the curve through a location is traced; it lies on the truncated source if the shell
-  /// replaces tips
+  /// truncates tips
   Coordinates traced_point(const Source_location& location) const
   {
     return m_to_source.target().traced_point(m_to_source.target().facet_of(location.first), location.second);
@@ -163,16 +166,17 @@ public:
   }
 
   /// returns the image on the target of a vertex of the source
-  /// \pre the vertex has a facet
+  /// \pre the vertex is not isolated
   Target_image operator()(Source_vertex v) const
   {
     CGAL_precondition(halfedge(v, source()) != boost::graph_traits<Source_mesh>::null_halfedge());
     return (*this)(Polygon_mesh_processing::locate_vertex<double>(v, source()));
   }
 
-  /// returns the differential of the map at a location, as that of the flow. Apply `Flow_differential::onto_plane()`
-  /// with the normal of the facet of the image, or `Flow_differential::onto_level_set()`. If the location has no image,
-  /// the status is that of the image.
+  /// returns the differential of the flow from a location to its image. `Flow_differential::onto_plane()` with the
+  /// normal of the facet of the image converts it to the differential of the map, and
+  /// `Flow_differential::onto_level_set()` to that of the map into a level set. If the location has no image, the
+  /// status is that of the image.
   /// \pre `image` is the image of `location`
   Flow_differential differential(const Source_location& location, const Target_image& image) const
   {
@@ -227,8 +231,8 @@ private:
     return are_shared ? Flow_status::SUCCESS : Flow_status::COMPONENTS_UNKNOWN;
   }
 
-  // Returns whether a mesh is closed, or is closed by the triangles of the shell. For other open meshes, crossings
-  // depend on the path.
+  // Returns whether a mesh is closed, or is closed by the shell's closing. For other open meshes, crossings depend on
+  // the path.
   template <typename Target>
   bool is_closed(const Target& target) const
   {
@@ -236,7 +240,7 @@ private:
   }
 
   // Returns `COMPONENTS_DIFFER` if a component of the shell contains no part of a mesh, `COMPONENTS_UNKNOWN` if all
-  // paths through it are degenerate and no vertex is in it, and otherwise `SUCCESS`.
+  // paths through it are degenerate and no vertex is known to be in it, and otherwise `SUCCESS`.
   // \pre the shell is certified, and `is_closed()` holds
   template <typename Target>
   Flow_status find_missed_component(const Target& target) const
@@ -266,14 +270,15 @@ private:
     const auto found = [&] {
       Flow_status worst = Flow_status::SUCCESS;
       for(std::size_t k = 0; k < is_missed.size(); ++k) {
-        const Flow_status status = match.crossings[k] ? Flow_status::COMPONENTS_DIFFER : Flow_status::COMPONENTS_UNKNOWN;
+        const Flow_status status = match.crossings[k] ? Flow_status::COMPONENTS_DIFFER
+                                                      : Flow_status::COMPONENTS_UNKNOWN;
         if(is_missed[k]) worst = (std::max)(worst, status);
       }
       return worst;
     };
     if(found() == Flow_status::SUCCESS || !shell().proved_cover()) return found();
-    // Crossings may miss meshes without a certificate, so vertices are located, too. If components of the shell share a
-    // component of the cover, the cover cannot assign a vertex to one of them.
+    // A path may miss an uncertified mesh in its component, so vertices are located as well. If components of the shell
+    // share a component of the cover, the cover cannot assign a vertex to one of them.
     std::vector<char> has_boxes(is_missed.size(), 0);
     for(const Cover_box& box : *shell().proved_cover())
       if(box.component < has_boxes.size()) has_boxes[box.component] = 1;

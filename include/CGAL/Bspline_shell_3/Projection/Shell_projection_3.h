@@ -36,7 +36,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief the image of a point on a mesh, or the reason why there is none.
+ * \brief the image of a point: the point of a mesh that corresponds to it, or the reason why none was found.
  */
 template <typename TriangleMesh, typename Point_3>
 struct Projected_point
@@ -46,20 +46,21 @@ struct Projected_point
   Flow_status status = Flow_status::CANCELED;
   /// facet and barycentric coordinates
   Location location = Location(boost::graph_traits<TriangleMesh>::null_face(), {});
-  Point_3 point;    ///< in user coordinates
-  double value = 0; ///< value of the field at the image: the parameter along the curve
+  Point_3 point;    ///< position of the image
+  double value = 0; ///< value of the field at the image
   /// \name Estimated errors
-  /// In user units, to first order; 0 if no curve was traced, NaN if unknown.
+  /// In the units of the coordinates, to first order; 0 if no curve was traced, NaN if unknown.
   /// @{
   double error = 0; ///< distance from the exact image; at most the tolerance
-  /// Distance of the point from the exact curve through the image: the error of the way back, across the curve. It
-  /// exceeds the tolerance only where curves approach each other so closely that `double`s do not distinguish them.
+  /// distance of the point from the exact curve through the image: the error of the inverse map, measured across the
+  /// curve. It exceeds the tolerance only where curves approach each other so closely that `double`s do not distinguish
+  /// them.
   double error_of_inverse = 0;
   /// @}
-  /// Whether the image is the nearest point, because the shell does not define an image. Only projections between a
-  /// polygon soup and its proxy yield such images (`Soup_projection_3`, `Proxy_projection_3`).
+  /// whether the image is the nearest point, because no curve leads to an image. Only projections between a polygon
+  /// soup and its proxy yield such images (`Soup_projection_3`, `Proxy_projection_3`).
   bool is_continued = false;
-  /// Whether the curve misses an open mesh by less than the tolerance, and the image was moved to the border.
+  /// whether the curve misses an open mesh by less than the tolerance, and the image was moved to the border
   bool is_snapped = false;
 
   explicit operator bool() const { return status == Flow_status::SUCCESS; }
@@ -70,15 +71,16 @@ struct Projected_point
  *
  * \brief moves points of a shell along the integral curves of its field onto a mesh.
  *
- * If the mesh is certified (`Shell_certificate_3`), each curve meets it once, and every point of the shell has one
- * image. Curves are traced in `double`s. Steps are controlled such that the image is found up to a tolerance;
- * otherwise, the status is the reason. Curves of uncertified meshes are traced in the same way while they stay in the
- * shell. If such a curve meets the mesh several times, the image is one of the hits at facets that face along the
- * gradient.
+ * If the mesh is certified (`Shell_certificate_3`), each curve meets it once, and every point in its components of the
+ * shell has one image. Curves are traced in floating-point arithmetic, with steps that are small enough for a
+ * tolerance; if the tolerance cannot be met, the status is `TOLERANCE_NOT_MET`. Curves to uncertified meshes are traced
+ * in the same way while they stay in the shell. If such a curve meets the mesh several times, the image is one of these
+ * points, on a facet that faces along the gradient: the normal and the gradient form an acute angle.
  *
- * Const member functions may be called concurrently. Points that are projected together use each other's facets as
- * starting points. The result does not depend on the number of threads. If each curve meets the mesh once, the other
- * points affect an image by the tolerance at most; otherwise, they may determine which hit is the image.
+ * Const member functions may be called concurrently. If many points are projected together, the search for an image
+ * begins at the facet of the previous one. If each curve meets the mesh once, this changes an image by at most the
+ * tolerance; otherwise, it may determine which of several points is the image. The result does not depend on the number
+ * of threads.
  *
  * \tparam Shell a `CGAL::Bspline_shell_3`
  * \tparam TriangleMesh a model of `FaceListGraph`
@@ -93,17 +95,18 @@ public:
   typedef typename Image::Location Location;
   typedef typename Target::Coordinates Coordinates;
 
-  /// start of the search: the facet of the last image, as a number of `Projection_target_3::traced_facets()`. It saves
-  /// time for sequences of points that are close to each other. Use one hint for each sequence of points and thread.
+  /// the facet at which the search begins: that of the previous image, as an index into
+  /// `Projection_target_3::traced_facets()`. A hint saves time if each point is close to the previous one. Use a
+  /// separate hint for each sequence of points and in each thread.
   struct Hint
   {
     typename Target::Index facet = Target::npos;
   };
 
-  /// prepares the projection to a mesh of triangles; with other facets, all images have the status `INVALID_MESH`.
-  /// Sorts the facets into a tree. The object may be used concurrently.
+  /// prepares the projection onto a triangle mesh, with a search tree for its facets. If the mesh has other facets, or
+  /// coordinates that are not finite, all images have the status `INVALID_MESH`.
   /// \param shell a shell; if it is not valid (`!shell`), all images have the status `NO_SHELL`
-  /// \param mesh the mesh to project to
+  /// \param mesh the mesh to project onto
   /// \param np optional named parameters
   ///   \cgalNamedParamsBegin
   ///     \cgalParamNBegin{vertex_point_map}
@@ -134,12 +137,13 @@ public:
   template <typename... NP>
   Shell_projection_3(const Shell&, const TriangleMesh&&, const NP&...) = delete;
 
-  /// prepares the projection to a mesh that is already prepared and may be shared.
+  /// constructs the projection onto a mesh that is already prepared, and may be shared by several projections.
   /// \pre `shell` outlives this object, and `target` is not null
   /// \param shell a shell; if it is not valid (`!shell`), all images have the status `NO_SHELL`
-  /// \param target the mesh to project to
-  /// \param tolerance largest distance of an image from the exact one, as estimated by `Gradient_flow_3`, and from the
-  ///   end of the traced curve; user units; 0 stands for the default of `Gradient_flow_3`
+  /// \param target the mesh to project onto
+  /// \param tolerance largest distance of an image from the exact image, as estimated by `Gradient_flow_3`, and from
+  ///   the end of the traced curve; in the units of the coordinates. 0 stands for
+  ///   `Gradient_flow_3::default_tolerance()`.
   Shell_projection_3(const Shell& shell, std::shared_ptr<const Target> target, double tolerance = 0)
     : m_shell(&shell), m_target(std::move(target)),
       m_tolerance(tolerance > 0 ? tolerance : Gradient_flow_3<Shell>::default_tolerance(shell))
@@ -160,8 +164,9 @@ public:
     Hint hint;
     return (*this)(p, hint);
   }
-  /// returns the image of a point. If the curve meets the mesh once, the hint affects it by the tolerance at most.
-  /// \param hint any hint; set to the facet of the image, if there is one
+  /// returns the image of a point, beginning the search at the hint. If the curve meets the mesh once, the hint changes
+  /// the image by at most the tolerance.
+  /// \param hint any hint; set to the facet of the image if there is one
   template <typename Point>
   Image operator()(const Point& p, Hint& hint) const
   {
@@ -171,8 +176,8 @@ public:
       return image;
     }
     const Coordinates start = internal::rounded_coordinates(p);
-    // A border vertex of an open mesh is its own image: all meshes that the shell maps to each other share their
-    // borders.
+    // A border vertex of an open mesh is its own image, because all meshes that the shell maps onto each other share
+    // their borders.
     if(m_shell->closing() && m_shell->closing()->border_point(start) != Shell_closing_3::npos)
       if(const auto* corner = m_target->border_corner(start)) {
         const Point_3 point(start[0], start[1], start[2]);
@@ -208,7 +213,7 @@ public:
   }
 
   /// returns the images of many points.
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
   /// \tparam PointRange a random access range of points
   /// \tparam Visitor a model of `FlowVisitor`
   /// \return the images in the same order; images that were not computed because the visitor stopped are `CANCELED`
@@ -219,10 +224,10 @@ public:
     return internal::project_all<ConcurrencyTag>(*this, points, visitor);
   }
 
-  /// returns the differential of the flow from a point to its image, and of the map from the truncated mesh to the mesh
-  /// if tips are replaced. Apply `Flow_differential::onto_plane()` with the facet's normal, or
-  /// `Flow_differential::onto_level_set()`, which does not jump between facets. If the point has no image, the status
-  /// is that of the image.
+  /// returns the differential of the flow from a point to its image, composed with that of the map from the truncated
+  /// mesh to the mesh if tips are truncated. `Flow_differential::onto_plane()` with the facet's normal converts it to
+  /// the differential of the projection, and `Flow_differential::onto_level_set()` to that onto a level set, which does
+  /// not jump between facets. If the point has no image, the status is that of the image.
   /// \pre `image` is the image of `p`
   template <typename Point>
   Flow_differential differential(const Point& p, const Image& image) const

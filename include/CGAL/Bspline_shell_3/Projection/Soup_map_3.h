@@ -17,11 +17,11 @@ namespace Bspline_shells {
  * \ingroup PkgBsplineShell3Projection
  *
  * \brief the map from a polygon soup, as a mesh that may intersect itself (`Soup_proxy_3::soup()`), to a mesh in the
- * shell of its proxy: the proxy itself, or an edited proxy.
+ * shell of its proxy: the proxy or an edited proxy.
  *
- * Each point of the soup that lies in the shell has one image on a mesh with a certificate of the shell. In the other
- * direction, points of the mesh are mapped to the parts of the soup that they see (`Soup_projection_3`). Attributes are
- * transferred in both directions by the same functions as between two meshes. The inverse is `Soup_map_3::inverse()`.
+ * Each point of the soup that lies in the shell has one image on a mesh that is certified in the shell. In the other
+ * direction (`Soup_map_3::inverse()`), a point of the mesh is mapped to the first part of the soup along its curve
+ * (`Soup_projection_3`). Attributes are transferred in both directions by the same functions as between two meshes.
  */
 template <typename Shell, typename SoupMesh, typename TriangleMesh = SoupMesh>
 using Soup_map_3 = Shell_map_3<Shell, SoupMesh, TriangleMesh, Soup_projection_3<Shell, SoupMesh>,

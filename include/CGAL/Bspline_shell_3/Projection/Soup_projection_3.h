@@ -30,13 +30,13 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief maps points of a shell to the parts that they see of a mesh that may intersect itself, overlap, and face
- * either way.
+ * \brief maps points of a shell along integral curves to the visible parts of a mesh that may intersect itself,
+ * overlap, and have any orientation.
  *
  * The image of a point is the first point of the mesh on its integral curve, from the outer surface of the shell
- * inwards. Facets that the curve misses by less than 100 times the tolerance count. If the curve leaves the shell
+ * inward. Facets that the curve misses by less than 100 times the tolerance count as met. If the curve leaves the shell
  * through the inner surface without meeting the mesh, the image is the point of the mesh that is nearest to the exit.
- * Such images are marked (`Projected_point::is_continued`), and several points may share one. Images jump at
+ * Such images are marked (`Projected_point::is_continued`), and several points may have the same one. Images jump at
  * silhouettes, where one part of the mesh hides another. A curve that only touches the mesh may miss it there.
  *
  * \tparam Shell a `CGAL::Bspline_shell_3`
@@ -56,7 +56,7 @@ public:
 
   /// constructs a projection like `Shell_projection_3`, except for the tolerance
   /// \param tolerance tolerance of the steps along a curve. The growth of their errors where curves diverge is not
-  ///   estimated: `Projected_point::error` and `Projected_point::error_of_inverse` are NaN.
+  ///   estimated, so `Projected_point::error` and `Projected_point::error_of_inverse` are NaN.
   Soup_projection_3(const Shell& shell, std::shared_ptr<const Target> target, double tolerance = 0)
     : m_shell(&shell), m_target(std::move(target)),
       m_tolerance(tolerance > 0 ? tolerance : Gradient_flow_3<Shell>::default_tolerance(shell))

@@ -20,25 +20,25 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief moves points of a shell onto a mesh, along the integral curves of the shell's field.
+ * \brief moves points of a shell onto a mesh, along integral curves.
  *
- * If the same mesh is used in several calls, keep a `Shell_projection_3` or a `Shell_map_3`: they store the tree of
- * boxes that this function builds.
+ * If the same mesh is used several times, construct a `Shell_projection_3` or a `Shell_map_3` instead: they keep the
+ * search tree that this function builds in each call.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam Shell a `CGAL::Bspline_shell_3`
  * \tparam PointRange a random access range of points
  * \tparam TriangleMesh a model of `FaceListGraph`
  * \param shell a shell; if it is not valid (`!shell`), all images have the status `NO_SHELL`
  * \param points the points
- * \param target a mesh of triangles
+ * \param target a triangle mesh
  * \param np optional named parameters
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{vertex_point_map}
  *       \cgalParamDescription{vertex point map of the target}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{tolerance}
- *       \cgalParamDescription{tolerance of the tracing, as for `Gradient_flow_3`, user units}
+ *       \cgalParamDescription{tolerance of the tracing, as for `Gradient_flow_3`, in the units of the coordinates}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{`Gradient_flow_3::default_tolerance()`}
  *     \cgalParamNEnd
@@ -47,7 +47,7 @@ namespace Bspline_shells {
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
  * \return the `Projected_point` of each point
- * \cgalHeading{Cost} A few microseconds per point and core.
+ * \cgalHeading{Cost} A few microseconds of processor time per point.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Shell, typename PointRange,
           typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>

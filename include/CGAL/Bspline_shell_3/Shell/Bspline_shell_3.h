@@ -77,15 +77,15 @@ public:
       m_report.status = Shell_status::THRESHOLDS_ON_OTHER_CELLS;
   }
 
-  /// constructs a shell with constant thresholds at the two levels
+  /// constructs a shell with two constant thresholds
   Bspline_shell_3(Field field, const Level_range& levels, std::vector<char> cells, std::vector<Level_range> facets,
                   Shell_report report)
     : Bspline_shell_3(std::move(field), Threshold(levels.min), Threshold(levels.max), std::move(cells),
                       std::move(facets), std::move(report))
   {}
 
-  /// returns whether there is a shell. If not, `status()` is the reason, and of the other functions only `report()` may
-  /// be called.
+  /// returns whether there is a shell. If not, `status()` is the reason, and only `status()`, `message()`, and
+  /// `report()` may be called.
   explicit operator bool() const { return status() == Shell_status::SUCCESS; }
   Shell_status status() const { return m_report.status; }
   const Shell_report& report() const { return m_report; }
@@ -93,11 +93,12 @@ public:
   const Field& field() const { return *m_field; }
   const Threshold& inner_threshold() const { return m_inner; } ///< \f$\epsilon_1\f$
   const Threshold& outer_threshold() const { return m_outer; } ///< \f$\epsilon_2\f$
-  /// returns the level of a constant threshold, user units
+  /// returns the value of a constant threshold
   FT inner_level() const { return m_inner.level(); }
   FT outer_level() const { return m_outer.level(); }
-  /// returns the largest \f$\epsilon_2 - \epsilon_1\f$ on the mesh that the shell was built for (Eq. 5.1 of the paper),
-  /// user units
+  /// returns the largest \f$\epsilon_2 - \epsilon_1\f$ on the mesh for which the shell was built. It is a difference of
+  /// values of \f$f\f$, which are close to distances in the units of the coordinates, but it is not a bound on
+  /// distances (see `Bspline_shells::Certificate_report::displacement_bound`).
   FT thickness() const
   {
     if constexpr(Threshold::is_constant) return outer_level() - inner_level();
@@ -105,11 +106,11 @@ public:
   }
   /// returns the thickness as a fraction of the longest side of the mesh's bounding box
   FT relative_thickness() const { return thickness() / m_report.unit; }
-  /// returns whether all claims about the mesh are proved. The proof is made when the shell is built, or by
-  /// `Bspline_shells::certify()` for a shell that was read from a file. `Bspline_shells::Shell_certificate_3` examines
-  /// any mesh at any time.
+  /// returns whether all claims about the mesh are proved, when the shell was built or later by
+  /// `Bspline_shells::certify()`, for example for a shell from a file. `Bspline_shells::Shell_certificate_3` examines
+  /// other meshes in the shell.
   bool is_certified() const { return status() == Shell_status::SUCCESS && m_report.certificate.are_all_proved(); }
-  /// returns the outcome in one sentence: why there is no shell, or whether it is certified
+  /// returns the outcome in one or two sentences: why there is no shell, or whether it is certified
   std::string message() const
   {
     if(!*this) return Bspline_shells::message(status(), m_report.invalid_parameter);
@@ -117,35 +118,34 @@ public:
     const Refinement_status refinement = m_report.refinement;
     if(is_certified())
       return refinement == Refinement_status::CERTIFIED ? Bspline_shells::message(refinement)
-                                                        : "There is a certified shell.";
+                                                        : "The shell is certified.";
     if(refinement == Refinement_status::NOT_REFINED) return Bspline_shells::message(status());
     return refinement == Refinement_status::LIMIT_REACHED
-             ? "There is a shell that contains the mesh, but it is not certified: a limit of memory, effort or rounds "
-               "was reached. The report "
-               "has the places."
-             : "There is a shell that contains the mesh, but it is not certified: smaller cells would not help. The "
-               "report has the places.";
+             ? "The shell contains the mesh, but is not certified: a limit of memory, effort or rounds was reached. "
+               "The report lists this limit and the obstacles."
+             : "The shell contains the mesh, but is not certified: smaller cells would not help. The report lists the "
+               "obstacles.";
   }
   /// returns a flag for each cell of the field: whether the shell may intersect it (`Bspline_shells::Shell_component`)
   const std::vector<char>& shell_cells() const { return m_cells; }
-  /// returns the triangles that close the open mesh that the shell was built for, and every other mesh with the same
+  /// returns the triangles that close the open mesh for which the shell was built, and every other mesh with the same
   /// border; null if the mesh is closed
   const std::shared_ptr<const Bspline_shells::Shell_closing_3>& closing() const { return m_closing; }
   void set_closing(std::shared_ptr<const Bspline_shells::Shell_closing_3> closing) { m_closing = std::move(closing); }
-  /// returns the parts that replace tips of the mesh that the shell was built for, and the map between both; null if no
-  /// tip is replaced. The truncated mesh lies in the shell; maps, edits and certificates take the original mesh and
-  /// truncate it.
+  /// returns the discs that replace tips of the mesh for which the shell was built, and the map between the mesh and
+  /// the truncated mesh; null if no tip is truncated. The truncated mesh lies in the shell; maps, edits, and
+  /// certificates take the original mesh and truncate it.
   const std::shared_ptr<const Bspline_shells::Shell_truncation_3>& truncation() const { return m_truncation; }
   void set_truncation(std::shared_ptr<const Bspline_shells::Shell_truncation_3> truncation)
   {
     m_truncation = std::move(truncation);
   }
-  /// returns an enclosure of \f$f\f$ on each facet of the mesh that the shell was built for, in the order of
-  /// `faces(mesh)`; then on each triangle that closes the mesh, and on each triangle of the discs that replace tips
+  /// returns an enclosure of \f$f\f$ on each facet of the mesh for which the shell was built, in the order of
+  /// `faces(mesh)`. Enclosures on the triangles of the closing, and then on those of discs, follow.
   const std::vector<Level_range>& facet_ranges() const { return m_facets; }
 
-  /// returns one or more paths through each component of a certified shell, by which
-  /// `Bspline_shells::match_components()` finds the components that a mesh lies in. Empty if the shell is not
+  /// returns one or more paths through each component of a certified shell, with which
+  /// `Bspline_shells::match_components()` finds the components in which a mesh lies. Empty if the shell is not
   /// certified.
   std::vector<Bspline_shells::Crossing_path> component_paths() const
   {
@@ -157,12 +157,12 @@ public:
     return paths;
   }
 
-  /// returns paths from a file that may lead through the components of the shell. They are not proved; each certificate
-  /// of a mesh in the shell proves them first. Empty if the shell is certified.
+  /// returns the paths from a file that may lead through the components of the shell. They are candidates: a
+  /// certificate uses only those that it proves. Empty if the shell is certified.
   const std::vector<Bspline_shells::Crossing_path>& path_candidates() const { return m_path_candidates; }
   void set_path_candidates(std::vector<Bspline_shells::Crossing_path> paths) { m_path_candidates = std::move(paths); }
 
-  /// certifies the shell with the report of a certificate of a mesh in it. The components of the shell are then those
+  /// certifies the shell with the report of the certificate of a mesh in it. The components of the shell are then those
   /// of that mesh. Called by `Bspline_shells::certify()`.
   /// \pre all claims of the report are proved for this field and these thresholds
   void set_certificate(Bspline_shells::Certificate_report report)
@@ -173,13 +173,13 @@ public:
     m_path_candidates.clear();
   }
 
-  /// returns the boxes of the cover by which the certificate of the shell proved that it has no critical point.
-  /// Certificates of other meshes in the shell reuse them. Empty if this claim was not proved; also for shells read
-  /// from a file, until they are certified.
+  /// returns the boxes of the cover with which the certificate of the shell proved that it has no critical point.
+  /// Certificates of other meshes in the shell reuse them. Null if this claim was not proved, in particular for shells
+  /// from a file until they are certified.
   const std::shared_ptr<const std::vector<Bspline_shells::Cover_box> >& proved_cover() const { return m_cover; }
-  /// \pre the cover belongs to a certificate of a mesh in this shell that proved the gradient claim with it. That
-  ///   certificate is the one of `report()`; otherwise, `least_gradient` of `report()` is zero, and the bound is
-  ///   computed on demand.
+  /// \pre the cover belongs to a certificate of a mesh in this shell, which proved the gradient claim with it. If this
+  ///   is not the certificate of `report()`, `least_gradient` of `report()` is zero, and the bound is computed on
+  ///   demand.
   /// \post `shell_cells()` marks exactly the cells of the cover
   void set_proved_cover(std::vector<Bspline_shells::Cover_box> boxes)
   {
@@ -191,14 +191,15 @@ public:
   }
 
   /// returns bounds of the field on cells, computed by the certificate with which the shell was built. Certificates and
-  /// edits of meshes use them and add those of further cells. They take up to 425 bytes per cell of the field. Null for
-  /// shells that no certificate has examined.
+  /// edits of meshes use them, and add bounds on further cells. They take up to 425 bytes per cell of the field. Null
+  /// if no certificate has examined the shell.
   const std::shared_ptr<const Bounds>& cell_bounds() const { return m_cell_bounds; }
   /// \pre `bounds` belong to this `field()` object and to the thresholds
   void set_cell_bounds(std::shared_ptr<const Bounds> bounds) { m_cell_bounds = std::move(bounds); }
 
-  /// returns the side of the shell that `p` is on; `ON_BOUNDED_SIDE` means inside the shell. Points outside the field's
-  /// domain are outside the shell, and so are all points if there is no shell. Evaluated in `double` arithmetic.
+  /// returns the position of `p` relative to the shell; `ON_BOUNDED_SIDE` means inside the shell. Points outside the
+  /// field's domain are outside the shell, and so are all points if there is no shell. Evaluated in `double`
+  /// arithmetic.
   Bounded_side bounded_side(const Point_3& p) const
   {
     if(!*this) return ON_UNBOUNDED_SIDE;
@@ -211,7 +212,7 @@ public:
   }
 
 private:
-  // shared by copies, like the objects that refer to it
+  // shared with copies, because other objects refer to it
   std::shared_ptr<const Field> m_field = std::make_shared<const Field>();
   Threshold m_inner, m_outer;
   std::vector<char> m_cells;

@@ -22,12 +22,12 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Shell
-/// the verdict on a claim, reached in bounded time
+/// the verdict on a claim
 enum class Verdict
 {
   PROVED,   ///< rigorously proved
   REFUTED,  ///< refuted by a witness
-  UNDECIDED ///< the bounds were not tight enough at some place
+  UNDECIDED ///< neither was proved, because bounds were too coarse at some place; the claim may still be true
 };
 
 inline const char* name(Verdict verdict)
@@ -43,7 +43,24 @@ inline const char* name(Verdict verdict)
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief counts how often each tier of a predicate decided.
+ * \brief A place where a claim fails or is undecided.
+ */
+struct Witness
+{
+  /// exact, dyadic barycentric coordinates of the point, by the vertices of the triangle or the ends of the segment
+  std::array<double, 3> barycentric = {};
+  /// the point, rounded
+  std::array<double, 3> point = {};
+  /// encloses the value at the point: of the field, or of the derivative along the normal per user unit
+  Level_range value;
+  /// whether the point lies outside the field's domain
+  bool outside = false;
+};
+
+/*!
+ * \ingroup PkgBsplineShell3Shell
+ *
+ * \brief counts how often each method of a predicate decided.
  */
 struct Predicate_statistics
 {
@@ -63,15 +80,19 @@ struct Predicate_statistics
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief the five claims that together imply that the integral curves of the field map a mesh one-to-one.
+ * \brief the five claims about a mesh and a shell (\ref BsplineShell3Certificate). Together, they imply that the
+ * integral curves map the mesh one-to-one.
  */
 enum class Claim
 {
   CONTAINMENT,    ///< P1: \f$\epsilon_1 < f < \epsilon_2\f$ on every point of every facet
-  TRANSVERSALITY, ///< P2: \f$n_T \cdot \nabla f > 0\f$ on every point of every closed facet \f$T\f$
-  GRADIENT,       ///< P3: the shell lies in the interior of the domain and has no critical point
-  ONE_SHEET,      ///< P4: every component of the shell contains exactly one component of the mesh
-  DEGREE_ONE      ///< P5: a path through each component, from below to above, crosses the mesh once
+  TRANSVERSALITY, ///< P2: \f$n_T \cdot \nabla f > 0\f$ on every facet \f$T\f$ with normal \f$n_T\f$, edges included
+  /// P3: the shell lies in the interior of the domain and has no critical point, and \f$\nabla f \cdot \nabla (f -
+  /// \epsilon_i) > 0\f$ on its thresholds \f$\epsilon_i\f$
+  GRADIENT,
+  ONE_SHEET, ///< P4: every component of the shell contains exactly one component of the mesh
+  /// P5: a path through each component, from the inner to the outer surface, crosses the mesh once, counted with signs
+  DEGREE_ONE
 };
 
 inline const char* name(Claim claim)
@@ -95,21 +116,21 @@ struct Certificate_witness
 {
   enum Reason
   {
-    FACET,          ///< the claim fails or is undecided on `facet`, at `point`
-    OUTSIDE,        ///< a `point` of `facet` lies outside the field's domain
-    CRITICAL_POINT, ///< a critical point in the shell certainly lies within \f$10^{-1}\f$ cells of `point`
-    BOX,            ///< the box around `point` in the leaf `cell` is undecided
-    BOUNDARY_OF_DOMAIN,  ///< the cover of the shell reaches the end of the domain in the leaf `cell`
-    /// `component` and `other_component` of the mesh share a component of the cover; refuted if they certainly share a
-    /// component of the shell
+    FACET,              ///< the claim fails or is undecided on `facet`, at `point`
+    OUTSIDE,            ///< a `point` of `facet` lies outside the field's domain
+    CRITICAL_POINT,     ///< the shell is proved to have a critical point within 1/10 of a cell's width of `point`
+    BOX,                ///< the claim is undecided in the box around `point` in the leaf `cell`
+    BOUNDARY_OF_DOMAIN, ///< the shell may reach the boundary of the domain in the leaf `cell`
+    /// `component` and `other_component` of the mesh may lie in the same component of the shell; refuted if this is
+    /// proved
     TWO_SHEETS,
-    /// no component of the mesh was found in `component` of the shell; refuted if there is certainly none
+    /// no component of the mesh was found in `component` of the shell; refuted if it is proved that there is none
     EMPTY_COMPONENT,
-    /// `component` of the mesh was found in no component of the shell; refuted if it certainly lies in none
+    /// `component` of the mesh was found in no component of the shell; refuted if it is proved to lie in none
     OTHER_COMPONENT,
-    NO_PATH,   ///< no segment through `component` with a conclusive count was found; `facet` is one of its large facets
+    NO_PATH,   ///< no segment through `component` was found that proves the count; `facet` is one of its large facets
     CROSSINGS, ///< the path through `component` that passes through `facet` at `point` crosses the mesh `count` times
-    SHELL_CROSSINGS,   ///< a path through `component` of the shell, near `point`, crosses the mesh `count` times
+    SHELL_CROSSINGS,       ///< a path through `component` of the shell, near `point`, crosses the mesh `count` times
     CONTAINMENT_NOT_PROVED ///< the claim was not examined because containment is not proved
   };
   static constexpr std::size_t none = std::size_t(-1);
@@ -117,15 +138,15 @@ struct Certificate_witness
   Claim claim;
   Verdict verdict;
   Reason reason;
-  /// position in `faces(mesh)` if `part` is `MESH`; the following numbers are triangles of the closing, then of discs
+  /// position in `faces(mesh)` if `part` is `MESH`; larger numbers are triangles of the closing, then of discs
   std::size_t facet = none;
-  Surface_part part = Surface_part::MESH;               ///< the part of the surface that `facet` belongs to
-  std::size_t triangle = none;                          ///< triangle of the examined mesh, part of the facet
+  Surface_part part = Surface_part::MESH;               ///< the part of the surface to which `facet` belongs
+  std::size_t triangle = none;                          ///< index of the triangle of `facet` in the triangulated mesh
   std::size_t cell = none;                              ///< leaf cell of the field
   std::size_t component = none, other_component = none; ///< components of the mesh, in the order of their first facets
   std::array<double, 3> point = {};
-  /// enclosure of the field's value (containment) or slope (transversality) at the point that refutes the claim;
-  /// otherwise empty
+  /// an interval that contains the field's value (containment) or slope (transversality) at the point that refutes the
+  /// claim; otherwise empty
   Level_range value;
   int count = 0;
 };
@@ -150,15 +171,15 @@ inline const char* name(Certificate_witness::Reason reason)
 }
 
 /// \ingroup PkgBsplineShell3Shell
-/// returns the place of a witness as text: its point, and its facet if it has one. Triangles of the closing and of
-/// discs are not numbered.
+/// returns the place of a witness as text: its point, and its facet if it has one. For triangles of the closing and of
+/// discs, no number is given.
 inline std::string place(const Certificate_witness& witness)
 {
   std::ostringstream out;
   out << witness.point[0] << " " << witness.point[1] << " " << witness.point[2];
   if(witness.facet == Certificate_witness::none) return out.str();
   if(witness.part == Surface_part::MESH) out << ", facet " << witness.facet;
-  else out << ", on a " << name(witness.part) << ", not on a facet of the mesh";
+  else out << ", on a " << name(witness.part);
   return out.str();
 }
 
@@ -171,23 +192,23 @@ inline std::string place(const Certificate_witness& witness)
 struct Crossing_path
 {
   std::size_t component; ///< component of the mesh
-  std::size_t triangle;  ///< triangle of the examined mesh; the segment passes through its center
+  std::size_t triangle;  ///< index of the triangle in the triangulated mesh through whose center the segment passes
   std::array<double, 3> source, target;
 };
 
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief the cost of a certificate, by tier and kind of box.
+ * \brief the cost of a certificate: its time, and the number of boxes and of decisions by each method.
  */
 struct Certificate_statistics
 {
   Predicate_statistics containment, transversality;
-  std::size_t cover_cells = 0; ///< leaf cells that were visited by flooding
+  std::size_t cover_cells = 0; ///< leaf cells that the flood fill visited
   std::size_t cover_boxes = 0; ///< boxes of the cover
   std::size_t excluded_boxes = 0, monotone_boxes = 0, undecided_boxes = 0;
-  std::size_t critical_boxes = 0; ///< boxes whose critical points are certainly beyond a threshold
-  std::size_t deepest_box = 0;    ///< largest number of halvings of a box
+  std::size_t critical_boxes = 0; ///< boxes whose critical points are proved to lie beyond a threshold
+  std::size_t deepest_box = 0;    ///< largest number of subdivisions of a cell
   double seconds = 0;
 };
 
@@ -205,27 +226,28 @@ struct Certificate_report
   /// number of witnesses of each claim, including those that are not listed
   std::array<std::size_t, 5> number_of_witnesses = {};
   static constexpr std::size_t max_witnesses = 256;
-  /// for each component of the mesh, the component of the shell that certainly contains it, or
-  /// `Certificate_witness::none`. Components of a shell are numbered like those of the mesh that it was built for.
+  /// for each component of the mesh, the component of the shell that is proved to contain it, or
+  /// `Certificate_witness::none`. Components of a shell are numbered like those of the mesh for which it was built.
   std::vector<std::size_t> components;
   /// a path through each component of the mesh for which degree one is proved
   std::vector<Crossing_path> paths;
-  /// more paths through the same components, for meshes that intersect a path of `paths` in an edge or a vertex
+  /// more paths through the same components, for other meshes that have an edge or a vertex on a path of `paths`
   std::vector<Crossing_path> spare_paths;
   /// a lower bound of \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved
   double least_gradient = 0;
   /// an upper bound of \f$|\nabla f|\f$ on the cells of the cover; infinite if there is none
   double largest_gradient = std::numeric_limits<double>::infinity();
-  /// upper bound of the distance between a point and its image on any other certified mesh: the largest length of an
-  /// integral curve in the shell, user units. Infinite if the gradient claim is not proved.
+  /// an upper bound of the length of integral curves in the shell, in the units of the coordinates. It bounds the
+  /// distance between a point and its image on any other certified mesh. Infinite if the gradient claim is not proved.
   /// `Shell_certificate_3::displacement_bounds()` returns a bound for each facet.
   double displacement_bound = std::numeric_limits<double>::infinity();
   /// a lower bound of the angle between integral curves and facets, in radians; 0 if containment or transversality is
   /// not proved
   double least_angle = 0;
   double least_cone_margin = 0; ///< smallest cone margin of a vertex (`vertex_cone_margin()`)
-  /// positions in `vertices(mesh)` of the vertices at which no field can be transversal (exact). Larger numbers are
-  /// vertices of the closing and of discs.
+  /// positions in `vertices(mesh)` of the singular vertices: no direction is at less than 90 degrees to the normals of
+  /// all facets there, so no field can be transversal (decided exactly). Larger numbers are vertices of the closing and
+  /// of discs.
   std::vector<std::size_t> singular_vertices;
   std::size_t covers = 0; ///< number of components of the cover
   Certificate_statistics statistics;

@@ -16,14 +16,14 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief reports how an open mesh was closed.
+ * \brief a report on how an open mesh was closed.
  */
 struct Closing_report
 {
   /// a cycle of border edges
   struct Hole
   {
-    std::array<double, 3> point = {}; ///< a point of the cycle, user units
+    std::array<double, 3> point = {}; ///< a point of the cycle
     std::size_t edges = 0;            ///< number of edges of the cycle
     bool is_capped = false;           ///< whether it is filled by a cap; otherwise, a back sheet begins there
   };
@@ -31,8 +31,8 @@ struct Closing_report
   std::vector<Hole> holes;
   std::size_t sheets = 0;    ///< number of components of the mesh with a back sheet
   std::size_t triangles = 0; ///< number of triangles of caps and back sheets
-  double least_offset = 0;   ///< least distance of a back sheet from the mesh at a vertex, user units
-  double largest_offset = 0; ///< largest distance of a back sheet from the mesh at a vertex, user units
+  double least_offset = 0;   ///< smallest distance of a back sheet from the mesh at a vertex
+  double largest_offset = 0; ///< largest distance of a back sheet from the mesh at a vertex
 
   std::size_t caps() const
   {

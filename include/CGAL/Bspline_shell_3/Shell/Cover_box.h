@@ -19,7 +19,7 @@ namespace Bspline_shells {
  */
 enum class Box_kind : std::uint8_t
 {
-  /// outside the shell: on the whole closed box, the field is below the inner threshold or above the outer one
+  /// outside the shell: on the whole closed box, the field is below the inner threshold or above the outer threshold
   EXCLUDED,
   MONOTONE,       ///< on the whole closed box, the field increases along a fixed direction: no critical point
   CRITICAL_BELOW, ///< at all critical points in the closed box, the field is below the inner threshold
@@ -37,14 +37,14 @@ struct Cover_box
   static constexpr std::uint32_t no_component = std::uint32_t(-1);
 
   std::uint32_t cell;        ///< leaf cell of the field
-  std::uint16_t position[3]; ///< position of the least corner, in units of the cell's width / 2^depth
-  std::uint8_t depth;        ///< number of halvings
+  std::uint16_t position[3]; ///< position of the smallest corner, in units of the cell's width / 2^depth
+  std::uint8_t depth;        ///< number of subdivisions of the cell
   Box_kind kind;
-  std::uint32_t component = no_component; ///< component of the cover; `no_component` if the box is not part of it
-  /// data that proves the kind. For a monotone box, the direction; the absolute value of its largest component is 1.
-  /// For critical points beyond a threshold, the center for `values_at_critical_points()`, in units of the box.
+  std::uint32_t component = no_component; ///< component of the cover; `no_component` if the box is in none
+  /// data that proves the kind: for a monotone box, the direction, whose largest component has the absolute value 1;
+  /// for critical points beyond a threshold, the center for `values_at_critical_points()`, in units of the box
   std::array<double, 3> proof = {};
-  bool is_at_end = false; ///< whether some point of it at the end of the field's domain may be in the shell
+  bool is_at_end = false; ///< whether a point of the box on the boundary of the domain may be in the shell
 };
 
 } // namespace Bspline_shells

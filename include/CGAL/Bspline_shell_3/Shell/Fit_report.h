@@ -25,7 +25,7 @@ struct Fit_report
   std::size_t linear_solves = 0; ///< 1 plus the number of Gauss-Newton steps
   std::size_t iterations = 0;    ///< iterations of the linear solver, summed over all solves
   double residual = 0;           ///< relative residual of the last solve
-  /// weighted terms at the solution in cell units, in the order of `Energy_term`
+  /// weighted terms at the solution, in cell units and in the order of `Energy_term`
   std::array<double, 6> energy = {};
   double seconds_assembly = 0;
   double seconds_solver = 0; ///< including the assembly of Gauss-Newton steps

@@ -41,20 +41,22 @@ struct Refinement_limit
 };
 
 /// \ingroup PkgBsplineShell3Shell
-/// \return the limit in one sentence; empty if there was none
+/// \return a sentence that describes the limit; empty if there was none
 inline std::string message(const Refinement_limit& limit)
 {
   constexpr double megabyte = 1e6;
   std::ostringstream out;
   switch(limit.resource) {
     case Refinement_resource::NONE: return "";
-    case Refinement_resource::ROUNDS: return "There were as many rounds of refinement as are allowed.";
-    default: out << "Another round of refinement would have " << limit.cells << " cells, and ";
+    case Refinement_resource::ROUNDS: return "The maximum number of refinement rounds was reached.";
+    default: out << "Another round of refinement would have " << limit.cells << " cells";
   }
   if(limit.resource == Refinement_resource::MEMORY)
-    out << "take about " << std::ceil(limit.bytes / megabyte) << " MB: that is beyond the memory limit.";
-  else if(limit.resource == Refinement_resource::EFFORT) out << "all rounds together more than the effort limit.";
-  else out << "more unknowns than can be numbered.";
+    out << " and need about " << std::ceil(limit.bytes / megabyte)
+        << " MB, which exceeds the memory limit: raise it (memory_limit).";
+  else if(limit.resource == Refinement_resource::EFFORT)
+    out << ", and all rounds together would exceed the effort limit: raise it (effort_limit).";
+  else out << " and more unknowns than can be numbered: request a thicker shell.";
   return out.str();
 }
 

@@ -23,17 +23,17 @@ namespace Bspline_shells {
  */
 struct Refinement_obstacle
 {
-  std::array<double, 3> point = {}; ///< user units
-  double cell_width = 0;            ///< width of the cell there, user units
-  /// local gap of the mesh (`Local_gap_3`), user units; infinite if it is much wider than the cell
+  std::array<double, 3> point = {}; ///< in the units of the coordinates, as are all lengths here
+  double cell_width = 0;            ///< width of the cell there
+  /// local gap of the mesh (`Local_gap_3`); infinite if it is much wider than the cell
   double gap = std::numeric_limits<double>::infinity();
-  bool is_wall = false; ///< whether the gap is behind facets (a wall) rather than in front of them
+  bool is_wall = false; ///< whether the gap is behind facets (a wall), and not in front of them
 };
 
 /// \ingroup PkgBsplineShell3Shell
 /// \param unit length to which the percentages of the sentence refer: the longest side of the mesh's bounding box
 ///   (`Shell_report::unit`)
-/// \return a description of the obstacle in one sentence
+/// \return a sentence that describes the obstacle
 inline std::string message(const Refinement_obstacle& obstacle, double unit)
 {
   constexpr double cells_across = 2;
@@ -43,13 +43,15 @@ inline std::string message(const Refinement_obstacle& obstacle, double unit)
     number << std::setprecision(2) << 100 * x / unit << " %";
     return number.str();
   };
-  if(std::isfinite(obstacle.gap))
-    out << (obstacle.is_wall ? "A wall of " : "A gap of ") << percent(obstacle.gap) << " of the box";
-  else out << "No proof";
-  out << " at " << obstacle.point[0] << " " << obstacle.point[1] << " " << obstacle.point[2] << ", where cells are "
-      << percent(obstacle.cell_width) << " wide";
-  if(std::isfinite(obstacle.gap) && cells_across * obstacle.cell_width > obstacle.gap)
-    out << "; they may have to be as small as " << percent(obstacle.gap / cells_across);
+  const bool is_at_gap = std::isfinite(obstacle.gap);
+  const char* const subject = !is_at_gap ? "The proof fails at " : obstacle.is_wall ? "The wall at " : "The gap at ";
+  out << subject << obstacle.point[0] << " " << obstacle.point[1] << " " << obstacle.point[2];
+  if(is_at_gap)
+    out << " is " << percent(obstacle.gap) << " of the bounding box " << (obstacle.is_wall ? "thick" : "wide")
+        << ", and cells are " << percent(obstacle.cell_width) << " wide";
+  else out << ", where cells are " << percent(obstacle.cell_width) << " of the bounding box wide";
+  if(is_at_gap && cells_across * obstacle.cell_width > obstacle.gap)
+    out << "; cells of " << percent(obstacle.gap / cells_across) << " may be needed";
   out << ".";
   return out.str();
 }

@@ -27,34 +27,34 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief report on the construction of a shell.
+ * \brief a report on the construction of a shell. Lengths are in the units of the coordinates.
  */
 struct Shell_report
 {
   Shell_status status = Shell_status::NOT_BUILT;
-  Offending_simplices offending_simplices; ///< simplices at which the construction failed
+  Offending_simplices offending_simplices; ///< facets and vertices at which the construction failed
   Invalid_parameter invalid_parameter;     ///< the rejected parameter, if the status is `INVALID_PARAMETER`
   Closing_report closing;                  ///< how the mesh was closed, if it is open
   Truncation_report truncation;            ///< places where the mesh was truncated
-  /// triangles of the mesh after triangulation, closing and truncation
+  /// number of triangles of the mesh after triangulation, closing, and truncation
   std::size_t triangles = 0;
-  std::size_t components = 0;    ///< components of the mesh
-  double unit = 0;               ///< longest side of the mesh's bounding box: the paper's unit of length
-  double gamma = 0;              ///< number of cells, or root cells, per unit
+  std::size_t components = 0;    ///< number of components of the mesh
+  double unit = 0;               ///< the box size: length of the longest side of the mesh's bounding box
+  double gamma = 0;              ///< number of cells, or of root cells, per `unit`
   std::size_t surface_cells = 0; ///< number of cells that the mesh intersects
   std::size_t cells = 0;
   std::size_t unknowns = 0;
-  int widenings = 0; ///< number of times that cells were added because the shell would have left them
+  int widenings = 0; ///< number of times that cells were added because the shell reached their boundary
   Fit_report fit;
-  Level_range edges;        ///< extrema on the edges of the clipped mesh (Eq. 4.7 of the paper), not rounded
-  Level_range facets_bound; ///< bounds on the facets, not rounded
+  Level_range edges;        ///< extrema of the field on the edges of the clipped mesh, not rounded
+  Level_range facets_bound; ///< bounds of the field on the facets, not rounded
   Refinement_status refinement = Refinement_status::NOT_REFINED; ///< the reason why refinement ended
   Refinement_limit limit;                                        ///< the limit that ended refinement, if any
   std::vector<Refinement_round> rounds;                          ///< rounds of refinement
-  /// obstacles to the proof, if refinement ended without one: narrowest first, at most 1000
+  /// obstacles to the proof if refinement ended without a certificate: at most 1000, narrowest first
   std::vector<Refinement_obstacle> obstacles;
-  Certificate_report certificate;     ///< certificate of the mesh, if cells were refined until it held
-  double thickness = 0;               ///< largest difference of the thresholds on the mesh, user units
+  Certificate_report certificate;     ///< results of the certificate, of the construction or of `certify()`
+  double thickness = 0;               ///< largest difference of the thresholds on the mesh
   double narrowed_area = 0;           ///< fraction of the mesh's area where the thickness is less than requested
   std::array<double, 6> seconds = {}; ///< time of each `Shell_step`
 

@@ -16,32 +16,33 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Shell
  *
- * \brief reports where a mesh was truncated, and where truncation was required but impossible.
+ * \brief a report on where a mesh was truncated, and where truncation was required but impossible. Lengths are in the
+ * units of the coordinates.
  */
 struct Truncation_report
 {
-  /// the outcome at a vertex whose facets leave little room for a common direction
+  /// the outcome at a vertex with a small cone margin
   enum class Outcome : unsigned char
   {
     TRUNCATED,
     ON_BORDER,   ///< not truncated: the vertex is on the border of an open mesh
-    FOLDED_EDGE, ///< not truncated: two facets at an edge face nearly opposite ways, so no disc leaves more room
-    NO_DISC,     ///< not truncated: no disc that leaves more room was found
+    FOLDED_EDGE, ///< not truncated: two facets at an edge have nearly opposite normals, so no disc helps
+    NO_DISC,     ///< not truncated: no disc was found that improves the cone margin
     NO_SPACE     ///< not truncated: other parts of the mesh are so close, or edges so short, that rounding would decide
   };
 
   struct Vertex
   {
     std::size_t vertex = 0;           ///< position in `vertices(mesh)`
-    std::array<double, 3> point = {}; ///< user units
+    std::array<double, 3> point = {}; ///< position of the vertex
     Outcome outcome = Outcome::TRUNCATED;
-    double radius = 0;         ///< radius of the ball around the vertex outside which nothing was changed, user units
+    double radius = 0;         ///< radius of the ball around the vertex outside which nothing was changed
     double margin_before = 0;  ///< `vertex_cone_margin()`
-    double margin_after = 0;   ///< least margin of all vertices of the disc
+    double margin_after = 0;   ///< smallest cone margin of the vertices of the disc
     std::size_t triangles = 0; ///< number of triangles of the disc
   };
 
-  std::vector<Vertex> vertices; ///< all vertices whose margin is below the requested one
+  std::vector<Vertex> vertices; ///< all vertices whose cone margin is smaller than requested
 
   std::size_t number(Outcome outcome) const
   {

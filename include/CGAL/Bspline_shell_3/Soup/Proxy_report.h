@@ -14,15 +14,15 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief Report of the construction of a proxy for a polygon soup.
+ * \brief a report on the construction of a proxy for a polygon soup.
  */
 struct Proxy_report
 {
-  double alpha = 0;        ///< Alpha of the wrap, in user units.
-  double offset = 0;       ///< Distance of its vertices from the soup, in user units.
-  std::size_t wraps = 0;   ///< Number of wraps made, each coarser than the last, until one had no singular vertex.
-  double wrap_seconds = 0; ///< Time for all wraps, in seconds.
-  bool is_thicker_than_asked = false; ///< Whether the shell exceeds the thickness parameter in order to reach the soup.
+  double alpha = 0;                   ///< alpha of the wrap, in the units of the coordinates
+  double offset = 0;                  ///< distance of its vertices from the soup, in the units of the coordinates
+  std::size_t wraps = 0;              ///< number of wraps, each coarser than the last, until one had no singular vertex
+  double wrap_seconds = 0;            ///< time for all wraps, in seconds
+  bool is_thicker_than_asked = false; ///< whether the shell exceeds the thickness parameter in order to reach the soup
 };
 
 } // namespace Bspline_shells

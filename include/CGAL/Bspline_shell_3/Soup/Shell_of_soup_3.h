@@ -22,17 +22,17 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Soup
-/// The mesh for which a shell was built.
+/// the kind of mesh for which a shell was built
 enum class Shell_kind
 {
-  CLOSED,           ///< The mesh itself.
-  TRUNCATED,        ///< The mesh itself, with tips replaced (`Bspline_shell_3::truncation()`).
-  VIRTUALLY_CLOSED, ///< The mesh itself, which is open, with triangles that close it. Tips may be replaced.
-  PROXY             ///< A closed mesh around the polygons.
+  CLOSED,           ///< the mesh itself
+  TRUNCATED,        ///< the mesh itself, with truncated tips (`Bspline_shell_3::truncation()`)
+  VIRTUALLY_CLOSED, ///< the mesh itself, which is open, with triangles that close it; tips may be truncated
+  PROXY             ///< a closed mesh around the polygons
 };
 
 /// \ingroup PkgBsplineShell3Soup
-/// Returns the name that reports use.
+/// returns the name that reports use
 inline const char* name(Shell_kind kind)
 {
   switch(kind) {
@@ -51,10 +51,9 @@ inline const char* message_beside_proxy(Shell_status status)
 {
   switch(status) {
     case Shell_status::NON_MANIFOLD: return "The mesh is not manifold at the listed facets or vertices.";
-    case Shell_status::NOT_ORIENTABLE:
-      return "The mesh is one-sided, as it has no orientation that neighboring facets share.";
+    case Shell_status::NOT_ORIENTABLE: return "The mesh is one-sided, so its facets cannot be oriented consistently.";
     case Shell_status::NOT_CLOSABLE:
-      return "The mesh is open, and cannot be closed, by caps of its holes or a sheet behind it, at the listed facets.";
+      return "The mesh is open, and neither caps of its holes nor a sheet behind it can close it at the listed facets.";
     case Shell_status::SELF_INTERSECTION: return "The mesh intersects itself at the listed facets.";
     default: return message(status);
   }
@@ -65,28 +64,29 @@ inline const char* message_beside_proxy(Shell_status status)
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief Result of `certified_shell_of_soup_3()`: a mesh, its shell, and how they were obtained from the polygons.
+ * \brief the result of `certified_shell_of_soup_3()`: a mesh, its shell, and how they were obtained from the polygons.
  */
 struct Shell_of_soup_3
 {
   typedef Soup_proxy_3::Mesh Mesh;
   typedef Soup_proxy_3::Shell Shell;
 
-  Soup_repairs repairs; ///< Repairs of the first mesh tried.
-  /// Outcome for the polygons as a mesh, or the reason why they do not form one. If it is `SUCCESS`, the mesh has a
-  /// shell, certified or not.
+  Soup_repairs repairs; ///< repairs that were made to obtain `repaired_mesh`
+  /// the outcome for the polygons as a mesh, or the reason why they do not form one. If it is `SUCCESS`, the mesh has a
+  /// shell, which may be uncertified.
   Shell_status mesh_status = Shell_status::NOT_BUILT;
-  /// Outcome for a proxy. It is tried unless the mesh got a certified shell.
+  /// the outcome for a proxy, which is tried unless the shell of the mesh is certified
   Shell_status proxy_status = Shell_status::NOT_BUILT;
-  /// Elements that caused `mesh_status`: positions in the repaired mesh, or in the soup if there is no repaired mesh.
+  /// facets and vertices that caused `mesh_status`: positions in the repaired mesh, or in the soup if there is no
+  /// repaired mesh
   Offending_simplices offending_simplices;
-  /// If the mesh is rejected: the number of points close to another point (`number_of_near_duplicates()`).
+  /// if the mesh was rejected: the number of points close to another point (`number_of_near_duplicates()`)
   std::size_t near_duplicates = 0;
-  Invalid_parameter invalid_parameter;       ///< Rejected parameter if a status is `INVALID_PARAMETER`.
-  Mesh repaired_mesh;                        ///< The polygons as a mesh, if they form one.
-  Shell shell_of_mesh;                       ///< Shell of the repaired mesh.
-  std::shared_ptr<const Soup_proxy_3> proxy; ///< Not null if the result is a proxy, which is certified.
-  double seconds = 0;                        ///< Total time, in seconds.
+  Invalid_parameter invalid_parameter;       ///< the rejected parameter if a status is `INVALID_PARAMETER`
+  Mesh repaired_mesh;                        ///< the polygons as a mesh, if they form one
+  Shell shell_of_mesh;                       ///< the shell of the repaired mesh
+  std::shared_ptr<const Soup_proxy_3> proxy; ///< not null if the result is a proxy, whose shell is certified
+  double seconds = 0;                        ///< total time, in seconds
 
   /// \pre there is a shell
   Shell_kind kind() const
@@ -97,16 +97,16 @@ struct Shell_of_soup_3
            : shell_of_mesh.truncation() ? Shell_kind::TRUNCATED
                                         : Shell_kind::CLOSED;
   }
-  const Mesh& mesh() const { return proxy ? proxy->mesh() : repaired_mesh; } ///< Mesh of the shell.
+  const Mesh& mesh() const { return proxy ? proxy->mesh() : repaired_mesh; } ///< the mesh of the shell
   const Shell& shell() const { return proxy ? proxy->shell() : shell_of_mesh; }
-  explicit operator bool() const { return bool(shell()); } ///< Whether there is a shell.
-  /// `SUCCESS`, or the reason why there is no shell.
+  explicit operator bool() const { return bool(shell()); } ///< whether there is a shell
+  /// returns `SUCCESS`, or the reason why there is no shell
   Shell_status status() const
   {
     return shell() ? Shell_status::SUCCESS : internal::ends_all_attempts(proxy_status) ? proxy_status : mesh_status;
   }
   bool is_certified() const { return shell().is_certified(); }
-  /// Returns the outcome for the polygons as a mesh in one or two sentences; for a proxy, the reason for using it.
+  /// returns the outcome for the polygons as a mesh in one or two sentences; for a proxy, the reason for using it
   std::string mesh_message() const
   {
     if(mesh_status == Shell_status::SUCCESS) return shell_of_mesh.message();
@@ -114,11 +114,11 @@ struct Shell_of_soup_3
     std::string text = has_proxy ? internal::message_beside_proxy(mesh_status)
                                  : Bspline_shells::message(mesh_status, invalid_parameter);
     if(near_duplicates > 0)
-      text += " Of its points, " + std::to_string(near_duplicates)
-              + " are closer than 1e-6 of the box to another one: merge them.";
+      text += " In the input, " + std::to_string(near_duplicates)
+              + " points are closer to another point than 1e-6 of the bounding box: merge them.";
     return text;
   }
-  /// Returns the outcome in one or two sentences.
+  /// returns the outcome in one or two sentences
   std::string message() const
   {
     if(proxy) return proxy->message();

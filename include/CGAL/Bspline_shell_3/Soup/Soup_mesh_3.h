@@ -21,11 +21,11 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief Triangle mesh of a polygon soup, with the origins of its elements.
+ * \brief a triangle mesh of a polygon soup, with the origin of each of its facets and vertices.
  *
  * Polygons are triangulated, and oriented like their neighbors if possible. Where the soup is not manifold, they are
- * separated by duplicating vertices. Points at equal positions remain separate. If they are the same vertex, merge them
- * before (`CGAL::Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup()`).
+ * separated by duplicating vertices. Points at equal positions remain separate; if they represent the same vertex,
+ * merge them first (`CGAL::Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup()`).
  */
 class Soup_mesh_3
 {
@@ -34,15 +34,15 @@ public:
   typedef Surface_mesh<Kernel::Point_3> Mesh;
 
   Soup_mesh_3() = default;
-  /// \pre coordinates are finite, and polygons refer to points of the soup only
+  /// \pre coordinates are finite, and polygons refer only to points of the soup
   explicit Soup_mesh_3(const Polygon_soup& soup);
 
   const Mesh& mesh() const { return m_mesh; }
-  /// Returns the polygon that a triangle is part of.
+  /// returns the polygon of which a triangle is part
   std::size_t polygon_of(Mesh::Face_index f) const { return m_polygon[f]; }
-  /// Returns the point from which a vertex was made, directly or as a copy.
+  /// returns the point from which a vertex was made, directly or as a copy
   std::size_t point_of(Mesh::Vertex_index v) const { return m_point[v]; }
-  /// Polygons that are not in the mesh because they have no area, ascending.
+  /// returns the polygons that are not in the mesh because they have no area, ascending
   const std::vector<std::size_t>& polygons_left_out() const { return m_left_out; }
 
 private:

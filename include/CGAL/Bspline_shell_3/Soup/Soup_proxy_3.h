@@ -24,10 +24,10 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief A polygon soup, a clean closed mesh around it, and the certified shell of that mesh. The shell transfers
- * attributes between the soup and the mesh.
+ * \brief a polygon soup, its proxy (a closed mesh around it without self-intersections), and the shell of the proxy,
+ * with which attributes are transferred between the soup and the proxy.
  *
- * Proxies are made by `certified_soup_proxy_3()`. Maps refer to the proxy, which must outlive them and must not be
+ * Proxies are made by `certified_soup_proxy_3()`. Maps refer to this object, which must outlive them and must not be
  * moved.
  */
 class Soup_proxy_3
@@ -37,7 +37,7 @@ public:
   typedef Certified_bspline_shell_3 Shell;
   typedef Soup_map_3<Shell, Mesh> Map;
 
-  /// Makes an object without a proxy, with the reason.
+  /// constructs an object without a proxy, with the reason
   explicit Soup_proxy_3(Shell_status status = Shell_status::NOT_BUILT,
                         Offending_simplices offenders = Offending_simplices(),
                         const Invalid_parameter& invalid = Invalid_parameter())
@@ -48,37 +48,37 @@ public:
       m_mesh(std::move(mesh)), m_shell(std::move(shell)), m_report(report)
   {}
 
-  /// Whether there is a shell; otherwise, `status()` is the reason.
+  /// returns whether there is a shell; otherwise, `status()` is the reason
   explicit operator bool() const { return m_status == Shell_status::SUCCESS; }
   Shell_status status() const { return m_status; }
-  /// If there is no proxy: positions of polygons and points of the soup.
+  /// if there is no proxy: positions of the polygons and points of the soup that are the cause
   const Offending_simplices& offending_simplices() const { return m_offenders; }
-  /// The rejected parameter if the status is `INVALID_PARAMETER`.
+  /// the rejected parameter if the status is `INVALID_PARAMETER`
   const Invalid_parameter& invalid_parameter() const { return m_invalid_parameter; }
   bool is_certified() const { return m_shell.is_certified(); }
-  /// Returns the outcome in one sentence.
+  /// returns the outcome in one or two sentences
   std::string message() const
   {
     if(!*this) return Bspline_shells::message(m_status, m_invalid_parameter);
-    return is_certified() && m_report.is_thicker_than_asked
-             ? "All claims are proved of the shell of a proxy; it is thicker than asked, to reach the polygons."
-             : m_shell.message();
+    return is_certified() && m_report.is_thicker_than_asked ? "All claims are proved for the shell of the proxy, which "
+                                                              "is thicker than requested to reach the polygons."
+                                                            : m_shell.message();
   }
 
   const Soup_mesh_3& soup() const { return m_soup; }
-  const Mesh& mesh() const { return m_mesh; }    ///< The proxy, which is closed and has no self-intersections.
-  const Shell& shell() const { return m_shell; } ///< Shell of the proxy.
+  const Mesh& mesh() const { return m_mesh; }    ///< the proxy
+  const Shell& shell() const { return m_shell; } ///< the shell of the proxy
   const Proxy_report& report() const { return m_report; }
 
-  /// Returns the map from the soup's mesh to the proxy; `Map::inverse()` is the reverse map. A map builds a box tree
-  /// for each mesh: reuse it.
+  /// returns the map from the soup's mesh to the proxy; `Map::inverse()` returns the inverse map. Keep the map if it is
+  /// used several times, because it builds a search tree for each mesh.
   /// \pre there is a proxy, and no other thread prepares a map of it
   Map map() const
   {
     CGAL_precondition(bool(m_shell));
     return map(m_mesh);
   }
-  /// Returns the map from the soup's mesh to another mesh in the shell, such as an edited proxy.
+  /// returns the map from the soup's mesh to another mesh in the shell, such as an edited proxy
   Map map(const Mesh& mesh) const { return Map(m_shell, m_soup.mesh(), mesh); }
 
 private:

@@ -13,25 +13,25 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Soup
-/// Relation of a point of a polygon soup to the proxy.
+/// how the proxy of a polygon soup represents a point of the soup
 enum class Soup_point
 {
-  CARRIED,   ///< It is in the shell, and is the first point of the soup visible from its image on the proxy.
-  CONTINUED, ///< It is not in the shell; its image is the nearest proxy point, and is visible from it.
-  HIDDEN     ///< Other parts of the soup are between it and its image.
+  CARRIED,   ///< the point is in the shell, and is the first point of the soup visible from its image on the proxy
+  CONTINUED, ///< the point is not in the shell; its image is the nearest point of the proxy, and is visible from it
+  HIDDEN     ///< other parts of the soup are between the point and its image
 };
 
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief Shares of a soup's area that its proxy carries, estimated from samples.
+ * \brief the shares of a soup's area that its proxy represents, estimated from samples.
  */
 struct Soup_shares
 {
-  double carried = 0, continued = 0, hidden = 0; ///< Fractions of the total area, by `Soup_point`.
-  std::vector<Soup_point> facets;                ///< By facet of the soup's mesh: the value of most samples.
+  double carried = 0, continued = 0, hidden = 0; ///< fractions of the total area, by `Soup_point`
+  std::vector<Soup_point> facets;                ///< for each facet of the soup's mesh, the value of most samples
 
-  /// Returns the carried fraction of the visible area.
+  /// returns the carried fraction of the visible area
   double carried_of_visible() const { return carried + continued > 0 ? carried / (carried + continued) : 0; }
 };
 

@@ -23,18 +23,18 @@
 namespace CGAL {
 namespace Bspline_shells {
 
-inline constexpr double near_duplicate_distance = 1e-6; ///< Fraction of the longest side of the box.
+inline constexpr double near_duplicate_distance = 1e-6; ///< fraction of the box size
 
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief Returns the number of points that have another, different point closer than `near_duplicate_distance` in each
+ * \brief returns the number of points that differ from another point by less than `near_duplicate_distance` in each
  * coordinate.
  *
- * Points at equal positions count as one.
+ * Points at equal positions count as one point.
  *
  * \pre coordinates are finite
- * \cgalHeading{Cost} that of sorting the points
+ * \cgalHeading{Cost} That of sorting the points.
  */
 inline std::size_t number_of_near_duplicates(Polygon_soup::Points points)
 {
@@ -45,7 +45,8 @@ inline std::size_t number_of_near_duplicates(Polygon_soup::Points points)
   const double distance = near_duplicate_distance * (std::max)({ box.x_span(), box.y_span(), box.z_span() });
   if(!(distance > 0)) return 0;
 
-  // Cells are as wide as the distance: points in one cell are near each other. Other near points are in adjacent cells.
+  // The width of cells is the distance, so points in one cell are near each other, and other near points are in
+  // adjacent cells.
   std::vector<std::pair<Cell, std::size_t> > entries(points.size());
   for(std::size_t v = 0; v < points.size(); ++v) {
     Cell& cell = entries[v].first;
@@ -68,7 +69,7 @@ inline std::size_t number_of_near_duplicates(Polygon_soup::Points points)
     }
     return false;
   };
-  // A cell with many points is searched only for lone points of its 26 neighbors: the cost remains linear.
+  // A cell with many points is searched only for single points of its 26 neighbors, so the time remains linear.
   std::size_t number = 0, number_of_cells = 0;
   for(std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
     if(++number_of_cells % 1024 == 0) internal::Run::poll();

@@ -21,24 +21,25 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief Changes made to obtain a mesh from polygons.
+ * \brief the changes that were made to obtain a mesh from polygons.
  */
 struct Soup_repairs
 {
-  std::size_t merged_points = 0;    ///< Points merged into others at the same position.
-  std::size_t removed_polygons = 0; ///< Polygons with fewer than three different points.
-  /// Polygons with a repeated point, such as polygons with holes. They were triangulated, or the repetition was
-  /// removed.
+  std::size_t merged_points = 0;    ///< points merged into others at the same position
+  std::size_t removed_polygons = 0; ///< polygons with fewer than three different points
+  /// polygons with a repeated point, such as polygons with holes, which were triangulated, or from which the repetition
+  /// was removed
   std::size_t split_polygons = 0;
-  std::size_t duplicate_polygons = 0;  ///< Polygons with the points of another polygon.
-  std::size_t reversed_polygons = 0;   ///< Polygons reversed to agree with their neighbors.
-  std::size_t degenerate_facets = 0; ///< Facets without area, whose edges were collapsed or flipped.
-  bool reversed_components = false;    ///< Whether components were turned inside out to bound a volume.
+  std::size_t duplicate_polygons = 0; ///< polygons with the points of another polygon
+  std::size_t reversed_polygons = 0;  ///< polygons reversed to have the orientation of their neighbors
+  std::size_t degenerate_facets = 0;  ///< facets without area, whose edges were collapsed or flipped
+  bool reversed_components = false;   ///< whether components were reversed to bound a volume
 
-  /// Returns whether no change was needed.
+  /// returns whether no change was made
   bool is_none() const
   {
-    return merged_points + removed_polygons + split_polygons + duplicate_polygons + reversed_polygons + degenerate_facets
+    return merged_points + removed_polygons + split_polygons + duplicate_polygons + reversed_polygons
+               + degenerate_facets
              == 0
            && !reversed_components;
   }
@@ -47,17 +48,17 @@ struct Soup_repairs
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief Makes a triangle mesh from a polygon soup, if small repairs suffice.
+ * \brief makes a triangle mesh from a polygon soup if small repairs suffice.
  *
  * Points at equal positions are merged. Polygons with fewer than three points and duplicate polygons are removed. The
- * others are reversed where they disagree with their neighbors, and triangulated; triangles without area are removed.
- * Nothing is filled, cut or moved.
+ * others are oriented consistently and triangulated; triangles without area are removed. Nothing is filled, cut, or
+ * moved.
  *
  * \param soup the soup
  * \param[out] mesh the mesh if the status is `SUCCESS`; otherwise empty
  * \param[out] repairs changes that were made
  * \param[out] offenders positions of the polygons and points of the soup that cause the failure; for points at equal
- *   positions, the first one
+ *   positions, that of the first
  * \return `SUCCESS`, or the reason why there is no mesh: `EMPTY_MESH`, `NON_MANIFOLD`, `NOT_ORIENTABLE`,
  *   `DEGENERATE_FACET`, `NOT_FINITE`, `COORDINATES_OUT_OF_RANGE`, or `INVALID_PARAMETER` if a polygon refers to a point
  *   that does not exist
@@ -65,7 +66,7 @@ struct Soup_repairs
 Shell_status repair_soup(Polygon_soup soup, Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>& mesh,
                          Soup_repairs& repairs, Offending_simplices& offenders);
 /// \ingroup PkgBsplineShell3Soup
-/// Turns components of a closed mesh without self-intersections inside out where they do not bound one volume together.
+/// reverses components of a closed mesh without self-intersections that do not bound one volume together
 /// \return whether this was necessary and possible
 bool orient_components(Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>& mesh);
 

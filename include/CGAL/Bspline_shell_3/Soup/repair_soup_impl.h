@@ -30,7 +30,7 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// Splits a polygon that has a point twice. Returns nothing for a polygon with fewer than three points.
+// Splits a polygon that has a repeated point. Returns no polygons for a polygon with fewer than three points.
 inline std::vector<std::vector<std::size_t> > simple_polygons(const Polygon_soup& soup, std::size_t n)
 {
   typedef std::vector<std::size_t> Polygon;

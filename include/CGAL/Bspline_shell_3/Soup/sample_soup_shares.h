@@ -27,15 +27,15 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief Estimates the shares of a soup's area that its proxy carries.
+ * \brief estimates the shares of a soup's area that its proxy represents.
  *
  * Samples are distributed over the facets by area, with at least one on each facet. Every call uses the same samples.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam Map a `Soup_map_3`
  * \param map from the soup to the proxy
  * \param samples approximate number of samples, in addition to one per facet
- * \cgalHeading{Cost} about ten microseconds per sample and core
+ * \cgalHeading{Cost} About ten microseconds of processor time per sample.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map>
 Soup_shares sample_soup_shares(const Map& map, std::size_t samples = 20000)

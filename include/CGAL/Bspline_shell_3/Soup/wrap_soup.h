@@ -17,22 +17,22 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief Makes a closed mesh around a polygon soup that is suitable for a certified shell: the result of
+ * \brief makes a closed mesh around a polygon soup that is suitable for a certified shell: the result of
  * `CGAL::alpha_wrap_3()`, without singular vertices.
  *
- * Wraps of thin parts and around the rims of holes may have vertices whose facets face no common direction. In this
- * case the wrap is repeated with `alpha` and `offset` increased by 25 %, for at most eight wraps.
+ * Wraps of thin parts and around the rims of holes may have singular vertices. In this case, the wrap is repeated with
+ * `alpha` and `offset` increased by 25 %, at most seven times.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \param soup the soup
- * \param alpha size of the cavities and gaps that the wrap enters, in user units
- * \param offset distance of the wrap's vertices from the soup, in user units
+ * \param alpha size of the cavities and gaps that the wrap enters, in the units of the coordinates
+ * \param offset distance of the wrap's vertices from the soup, in the units of the coordinates
  * \param max_bytes approximate memory limit of a wrap
  * \param[out] wrap the mesh
- * \param[out] report number of wraps, their time, and the final parameters
- * \return `EMPTY_MESH` if the soup has no triangle, `GRID_TOO_FINE` if the offset is too small for its coordinates,
- *   `MEMORY_LIMIT_EXCEEDED`; otherwise the defect of the last wrap, or `SUCCESS`
- * \cgalHeading{Cost} grows with the number of balls of radius `alpha` that cover the soup
+ * \param[out] report the number of wraps, their time, and the final parameters
+ * \return `EMPTY_MESH` if the soup has no triangles, `GRID_TOO_FINE` if the offset is too small for its coordinates,
+ *   `MEMORY_LIMIT_EXCEEDED`; otherwise, the defect of the last wrap, or `SUCCESS`
+ * \cgalHeading{Cost} Grows with the number of balls of radius `alpha` that cover the soup.
  */
 template <typename ConcurrencyTag>
 Shell_status wrap_soup(const Soup_mesh_3& soup, double alpha, double offset, double max_bytes, Soup_mesh_3::Mesh& wrap,

@@ -53,11 +53,11 @@ Shell_status wrap_soup(const Soup_mesh_3& soup, double alpha, double offset, dou
     largest = (std::max)({ largest, std::abs((box.min)(a)), std::abs((box.max)(a)) });
     unit = (std::max)(unit, (box.max)(a) - (box.min)(a));
   }
-  // Points at the offset are computed to 1/100 of it, by constructions with several rounding errors.
+  // Points at the offset are computed to 1/100 of the offset, by constructions with several rounding errors.
   constexpr double precision = 1e-10, bytes_per_facet = 2000, facets_per_ball = 8;
   if(!(offset > precision * largest)) return Shell_status::GRID_TOO_FINE;
-  // The area of the wrap is at most that of both sides of the soup, and at most that of a foam with bubbles of size
-  // `alpha`.
+  // The area of the wrap is at most about that of both sides of the soup, and at most that of a foam with bubbles of
+  // size `alpha`.
   const double area = (std::min)(2 * Polygon_mesh_processing::area(soup.mesh()), unit * unit * (6 + unit / alpha));
   if(area / (alpha * alpha) * facets_per_ball * bytes_per_facet > max_bytes) return Shell_status::MEMORY_LIMIT_EXCEEDED;
   Real_timer timer;

@@ -99,16 +99,16 @@ private:
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief Writes a report of a shell and its construction as a JSON object.
+ * \brief writes a report on a shell and its construction as a JSON object.
  *
- * The object has the status, the kind of shell, a message, and the repairs. It reports how holes were closed, or which
- * share of the area the proxy carries and why the mesh itself has no shell. It also has sizes, claims and times, and,
- * if the shell is not certified, the obstacles. Lengths are in user units, times in seconds. Offending facets and
- * vertices are `Shell_of_soup_3::offending_simplices`.
+ * The object contains the status, the kind of shell, a message, the repairs, sizes, claims, times and, if the shell is
+ * not certified, the obstacles. It also contains how holes were closed or, for a proxy, which share of the area the
+ * proxy represents and why the mesh itself has no certified shell. Lengths are in the units of the coordinates, and
+ * times in seconds. Offending facets and vertices are `Shell_of_soup_3::offending_simplices`.
  *
  * \param out a stream; its format flags and locale are restored
  * \param result the shell
- * \param shares shares of the area that the proxy carries, if there is one (`sample_soup_shares()`)
+ * \param shares the shares of the area that the proxy represents, if there is one (`sample_soup_shares()`)
  * \param file name of the input file, in UTF-8
  * \return whether the report was written
  */
@@ -131,16 +131,16 @@ inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const
     if(result) json("kind", name(result.kind()));
     const Soup_repairs& repairs = result.repairs;
     object("repairs")("merged_points", repairs.merged_points)("removed_polygons", repairs.removed_polygons)(
-      "split_polygons", repairs.split_polygons)("duplicate_polygons", repairs.duplicate_polygons)("reversed_polygons",
-                                                                                              repairs.reversed_polygons)(
-      "degenerate_facets", repairs.degenerate_facets)("reversed_components", repairs.reversed_components);
+      "split_polygons", repairs.split_polygons)("duplicate_polygons", repairs.duplicate_polygons)(
+      "reversed_polygons", repairs.reversed_polygons)("degenerate_facets", repairs.degenerate_facets)(
+      "reversed_components", repairs.reversed_components);
     if(result.mesh_status != Shell_status::SUCCESS || result.proxy) {
       const Offending_simplices& offenders = result.offending_simplices;
       object("mesh_itself")("message", result.mesh_message())("facets", offenders.facets)(
         "vertices", offenders.vertices)("near_duplicates", result.near_duplicates);
       if(!result.proxy && result.proxy_status != Shell_status::NOT_BUILT)
         object("no_proxy")("message", result.proxy_status == Shell_status::SUCCESS
-                                        ? "Its shell is not certified."
+                                        ? "The shell of the proxy is not certified."
                                         : message(result.proxy_status, result.invalid_parameter));
     }
     if(result.proxy) {

@@ -22,13 +22,13 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// Encloses numbers that are each known to within an error. If a number or the error is not finite, the bounds are
-// infinite, as comparisons could skip NaN. A finite sum implies that all numbers are finite. Four searches are
-// interleaved, as a single one would wait for each of its comparisons.
+// Encloses numbers, each of which is known to within an error. If a number or the error is not finite, the bounds are
+// infinite, because comparisons could skip NaN; a finite sum implies that all numbers are finite. Four searches are
+// interleaved, because a single search would wait for each of its comparisons.
 template <std::size_t n>
 Level_range hull(const std::array<double, n>& b, double error)
 {
-  static_assert(n >= 4, "four numbers at a time");
+  static_assert(n >= 4, "There must be at least four numbers.");
   std::array<double, 4> least = { b[0], b[1], b[2], b[3] }, most = least, sum = least;
   const auto include = [&](std::size_t lane, double x) {
     least[lane] = (std::min)(least[lane], x);
@@ -50,26 +50,27 @@ Level_range hull(const std::array<double, n>& b, double error)
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief A tricubic function on a cell, given by 64 Bernstein coefficients that are each known to within a radius.
+ * \brief a tricubic function on a cell, given by 64 Bernstein coefficients, each of which is known to within a radius.
  *
  * It represents a field, the difference of a field and a threshold, or the derivative of one of these along a
  * direction.
  *
  * Every bound in this header is rigorous for every function within the radius. Bounds are computed in `double`s, and an
- * error analysis adds the effect of rounding. In every rounding mode, a single operation errs by at most `eps` =
- * \f$2^{-52}\f$ relatively, or by the least normal number. Every radius includes more than enough of the latter. If the
- * radius is infinite, nothing is known about the function. If a coefficient is not finite, the bounds are infinite.
+ * error analysis adds the effect of rounding. In every rounding mode, the error of a single operation is at most `eps`
+ * = \f$2^{-52}\f$ times the result, or at most the smallest normal number. Every radius includes an ample allowance for
+ * the latter. If the radius is infinite, the function is not bounded. If a coefficient is not finite, the bounds are
+ * infinite.
  */
 struct Enclosed_tricubic
 {
   std::array<double, 64> coefficients;
   double radius = 0;
 
-  /// Returns the range of the coefficients, extended by their radius. It encloses the function on the cell.
+  /// returns the range of the coefficients, extended by their radius; it encloses the function on the cell
   Level_range range() const { return internal::hull(coefficients, radius); }
 
-  /// Encloses the function on a face, an edge or a vertex of the cell.
-  /// \param direction direction from the cell's center to the face, edge or vertex; components are -1, 0 or 1
+  /// encloses the function on a face, an edge, or a vertex of the cell.
+  /// \param direction direction from the cell's center to the face, edge, or vertex; components are -1, 0, or 1
   Level_range range_towards(const std::array<int, 3>& direction) const
   {
     const auto first = [&](std::size_t a) { return direction[a] > 0 ? 3 : 0; };
@@ -86,8 +87,8 @@ struct Enclosed_tricubic
 
 namespace internal {
 
-// Returns the largest absolute value of the coefficients that are not NaN. Four searches are interleaved, as a single
-// one would wait for each of its comparisons.
+// Returns the largest absolute value of the coefficients that are not NaN. Four searches are interleaved, because a
+// single search would wait for each of its comparisons.
 inline double largest_size(const std::array<double, 64>& b)
 {
   std::array<double, 4> largest = {};
@@ -105,7 +106,8 @@ inline double radius_of_difference(double f, double g, double largest_difference
   return (1 + 4 * rounding) * (f + g + rounding * largest_difference + underflow);
 }
 
-// Bounds the error of a coefficient of a form of degree nine: the function's radius, rounding, and displaced corners.
+// A bound on the error of a coefficient of a form of degree nine, from the function's radius, rounding, and displaced
+// corners.
 //
 // Let |t| + |1-t| <= s_a for the local coordinates t of the corners along axis a. Then the absolute weights of a polar
 // form sum to at most S = (s_x s_y s_z)^3, which is one in the cell. The roundings of one term are:
@@ -138,7 +140,7 @@ struct Form_error
   {
     const Level_range all = hull(f.coefficients, 0);
     const double largest = (std::max)(std::abs(all.min), std::abs(all.max));
-    // The factor covers the roundings of this expression.
+    // The factor accounts for the roundings in this expression.
     return (1 + 16 * rounding) * amplification
            * (f.radius + 52 * rounding * largest + 9 * (all.max - all.min) * shift + underflow);
   }
@@ -149,10 +151,10 @@ struct Form_error
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief Encloses a function on a triangle.
+ * \brief encloses a function on a triangle.
  *
- * Corners are in local coordinates of the cell, in the cell or near it. Each coordinate may be off by `shift`. Outside
- * the cell, the function is the continuation of its polynomial.
+ * Corners are given in local coordinates of the cell, and lie in the cell or near it. Each coordinate may have an error
+ * of up to `shift`. Outside the cell, the function is the continuation of its polynomial.
  */
 inline Level_range enclose_on_triangle(const Enclosed_tricubic& f, const std::array<std::array<double, 3>, 3>& corners,
                                        double shift)
@@ -162,7 +164,7 @@ inline Level_range enclose_on_triangle(const Enclosed_tricubic& f, const std::ar
 }
 
 /// \ingroup PkgBsplineShell3Spline
-/// Encloses a function on a segment; see `enclose_on_triangle()`.
+/// encloses a function on a segment; see `enclose_on_triangle()`
 inline Level_range enclose_on_segment(const Enclosed_tricubic& f, const std::array<std::array<double, 3>, 2>& corners,
                                       double shift)
 {
@@ -171,7 +173,7 @@ inline Level_range enclose_on_segment(const Enclosed_tricubic& f, const std::arr
 }
 
 /// \ingroup PkgBsplineShell3Spline
-/// Encloses a function at a point; see `enclose_on_triangle()`.
+/// encloses a function at a point; see `enclose_on_triangle()`
 inline Level_range enclose_at_point(const Enclosed_tricubic& f, const std::array<double, 3>& t, double shift)
 {
   return enclose_on_segment(f, { t, t }, shift);
@@ -180,7 +182,7 @@ inline Level_range enclose_at_point(const Enclosed_tricubic& f, const std::array
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief Returns the function on an octant of the cell, with coefficients over the octant.
+ * \brief returns the function on an octant of the cell, with coefficients over the octant.
  *
  * \param octant bit `a` selects the upper half along axis `a`
  */
@@ -205,13 +207,13 @@ inline Enclosed_tricubic restrict_to_octant(const Enclosed_tricubic& f, int octa
       b[3 * stride] = middle;
     }
   });
-  // The averages take three additions per axis; halving is exact.
+  // The averages take three additions per axis; divisions by two are exact.
   r.radius = (1 + 4 * internal::rounding) * (f.radius + 10 * internal::rounding * largest + internal::underflow);
   return r;
 }
 
 /// \ingroup PkgBsplineShell3Spline
-/// Returns the field on a cell.
+/// returns the field on a cell
 template <typename Cell>
 Enclosed_tricubic enclosed_value(const Cell& cell)
 {
@@ -222,7 +224,7 @@ Enclosed_tricubic enclosed_value(const Cell& cell)
 }
 
 /// \ingroup PkgBsplineShell3Spline
-/// Returns the difference of two functions on the same cell.
+/// returns the difference of two functions on the same cell
 inline Enclosed_tricubic difference(const Enclosed_tricubic& f, const Enclosed_tricubic& g)
 {
   Enclosed_tricubic d;
@@ -234,7 +236,7 @@ inline Enclosed_tricubic difference(const Enclosed_tricubic& f, const Enclosed_t
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief Returns the derivative of a function along a direction, per cell unit, as a tricubic on the same cell.
+ * \brief returns the derivative of a function along a direction, per cell unit, as a tricubic on the same cell.
  *
  * \param direction three components, each known to within `direction_radius`
  */
@@ -254,13 +256,14 @@ inline Enclosed_tricubic enclosed_derivative(const Enclosed_tricubic& f, const s
     along[stride] += d * (s0 + 2 * s1);
     along[2 * stride] += d * (2 * s1 + s2);
     along[3 * stride] += d * (3 * s2);
-    // NaN is skipped, and does not hide other values.
+    // NaN is skipped and does not hide other values.
     double& most = steepest[std::size_t(axis)];
     most = (std::max)(most, (std::max)((std::max)((std::max)(0., std::abs(s0)), std::abs(s1)), std::abs(s2)));
   });
-  // Each s carries twice the radius of f and one rounding. The raised coefficient adds two roundings, the product one,
-  // and the sum over the axes two. Together these are at most six roundings of three times the steepest s. The steepest
-  // s is multiplied by the direction first, as the rounding of a small slope could vanish.
+  // Each s has an error of twice the radius of f and one rounding. The raised coefficient adds two roundings, the
+  // product one, and the sum over the axes two: together at most six roundings of three times the steepest s. The
+  // steepest s is multiplied by the direction first, because the product of a small slope and `rounding` could
+  // underflow to zero.
   for(std::size_t axis = 0; axis < 3; ++axis)
     g.radius += 6 * f.radius * std::abs(direction[axis])
                 + 18 * internal::rounding * (std::abs(direction[axis]) * steepest[axis])

@@ -84,11 +84,11 @@ inline std::array<NT, 4> polar_weights(const NT& u, const NT& v, const NT& w, in
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief Returns the Bernstein coefficients, of degree nine, of a tricubic on the segment from `p` to `q`.
+ * \brief returns the Bernstein coefficients, of degree nine, of a tricubic on the segment from `p` to `q`.
  *
  * `p` and `q` are positions in the cell (\f$[0,1]^3\f$, `Tricubic_cell_3::local_coordinates()`). The first coefficient
- * is the value at `p`, the last one the value at `q`. The coefficients are computed from the polar form of the
- * tricubic. For a segment in the cell, each is a convex combination of the cell's coefficients. So bounds by the hull
+ * is the value at `p`, and the last is the value at `q`. The coefficients are computed from the polar form of the
+ * tricubic. For a segment in the cell, each is a convex combination of the cell's coefficients, so bounds by the hull
  * property are never worse than those of the cell.
  *
  * \tparam NT a number type, `double` or an interval
@@ -120,10 +120,10 @@ std::array<NT, 10> segment_bernstein_form(const double* c, const std::array<NT, 
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief Returns the Bernstein coefficients, of degree nine, of a tricubic on the triangle `p`, `q`, `r`.
+ * \brief returns the Bernstein coefficients, of degree nine, of a tricubic on the triangle `p`, `q`, `r`.
  *
- * The 55 coefficients are ordered by decreasing exponent of `p`, then of `q`. Coefficients 0, 45 and 54 are the values
- * at `p`, `q` and `r`. See `segment_bernstein_form()` for positions, number type and the hull property.
+ * The 55 coefficients are ordered by decreasing exponent of `p`, then of `q`. Coefficients 0, 45, and 54 are the values
+ * at `p`, `q`, and `r`. See `segment_bernstein_form()` for positions, number type, and the hull property.
  */
 template <typename NT>
 std::array<NT, 55> triangle_bernstein_form(const double* c, const std::array<NT, 3>& p, const std::array<NT, 3>& q,
@@ -143,7 +143,7 @@ std::array<NT, 55> triangle_bernstein_form(const double* c, const std::array<NT,
       weights[a][n] = internal::polar_weights(*argument[0], *argument[1], *argument[2], cubic.multinomial(n));
     }
   }
-  // Sum over the z and y exponents first; the remaining sum is linear in the x rows.
+  // Sums over the z and y exponents first; the remaining sum is linear in the x rows.
   std::array<std::array<NT, 4>, 28> yz;
   for(auto& row : yz) row.fill(NT(0));
   for(int i = 0; i < 10; ++i) {

@@ -14,11 +14,12 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief The univariate uniform cubic B-spline \f$b\f$ of Eq. 3.1 of the paper, on knots of spacing 1.
+ * \brief the univariate uniform cubic B-spline \f$b\f$ on knots of spacing 1 (Eq. 3.1 of
+ * \cgalCite{CubicBsplineShell2025}).
  *
  * A cell is the unit interval between two knots. The four functions that do not vanish on the cell \f$[i, i+1]\f$ are
- * centered at the knots \f$i-1, i, i+1, i+2\f$. All arrays of this class list them in that order. The position `t` in
- * the cell is from 0 to 1. Outside \f$[0,1]\f$, the polynomial pieces of the cell are continued.
+ * centered at the knots \f$i-1, i, i+1, i+2\f$; all arrays of this class list them in this order. The position `t` in
+ * the cell is between 0 and 1. Outside \f$[0,1]\f$, the polynomial pieces of the cell are continued.
  *
  * \tparam NT a field number type (`double`, `Interval_nt<false>`, a rational)
  */
@@ -30,7 +31,7 @@ public:
   static constexpr int size = 4;
   typedef std::array<NT, 4> Weights;
 
-  /// Returns the values of the four functions; they sum to one.
+  /// returns the values of the four functions; they sum to one
   static Weights values(const NT& t)
   {
     const NT s = NT(1) - t;
@@ -38,21 +39,21 @@ public:
              (NT(4) + NT(3) * s * (s * (s - NT(2)))) / NT(6), t * t * t / NT(6) };
   }
 
-  /// Returns the first derivatives, per cell unit.
+  /// returns the first derivatives, per cell unit
   static Weights first_derivatives(const NT& t)
   {
     const NT s = NT(1) - t;
     return { -s * s / NT(2), t * (NT(3) * t - NT(4)) / NT(2), s * (NT(4) - NT(3) * s) / NT(2), t * t / NT(2) };
   }
 
-  /// Returns the second derivatives, per cell unit squared.
+  /// returns the second derivatives, per cell unit squared
   static Weights second_derivatives(const NT& t)
   {
     const NT s = NT(1) - t;
     return { s, NT(3) * t - NT(2), NT(3) * s - NT(2), t };
   }
 
-  /// Returns the Bernstein coefficients over the cell of the cubic with the four B-spline coefficients `c`.
+  /// returns the Bernstein coefficients over the cell of the cubic with the four B-spline coefficients `c`
   static Weights bernstein_coefficients(const Weights& c)
   {
     const NT left = (c[0] + NT(4) * c[1] + c[2]) / NT(6);
@@ -60,7 +61,7 @@ public:
     return { left, (NT(2) * c[1] + c[2]) / NT(3), (c[1] + NT(2) * c[2]) / NT(3), right };
   }
 
-  /// Returns the mask \f$m\f$ of the two-scale relation \f$b(t) = \sum_{j=-2}^{2} m_{j+2}\, b(2t - j)\f$.
+  /// returns the mask \f$m\f$ of the two-scale relation \f$b(t) = \sum_{j=-2}^{2} m_{j+2}\, b(2t - j)\f$
   static std::array<NT, 5> two_scale_mask()
   {
     return { NT(1) / NT(8), NT(4) / NT(8), NT(6) / NT(8), NT(4) / NT(8), NT(1) / NT(8) };

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Spline
-/// An interval of field values, in user units.
+/// an interval of field values
 struct Level_range
 {
   double min = std::numeric_limits<double>::infinity();
@@ -24,7 +24,7 @@ struct Level_range
     min = (std::min)(min, x);
     max = (std::max)(max, x);
   }
-  /// Returns the largest absolute value in the interval; less than zero if the interval is empty.
+  /// returns the largest absolute value in the interval; less than zero if the interval is empty
   double largest_size() const { return (std::max)(-min, max); }
   void include(const Level_range& r)
   {

@@ -20,14 +20,14 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief A leaf cell of a field: a closed axis-parallel cube with the tricubic polynomial of the field on it.
+ * \brief a leaf cell of a field: a closed axis-parallel cube with the tricubic polynomial of the field on it.
  *
- * The polynomial has 64 Bernstein coefficients \f$c_{i+4j+16k}\f$ (index `i` along x), in user units of the field's
- * value. They are rounded from the coefficients of the spline: each is within `error_radius()` of the exact one. A
- * bound on the spline must add that radius.
+ * The polynomial has 64 Bernstein coefficients \f$c_{i+4j+16k}\f$ (index `i` along x). They are rounded from the
+ * coefficients of the spline: each is within `error_radius()` of the exact coefficient. A bound on the spline must add
+ * this radius.
  *
- * A cell is a view: it is valid as long as its field is neither changed nor destroyed. Bounds, certificates, tracing
- * and level sets access a field only by its cells.
+ * A cell is a view, which is valid as long as its field is neither changed nor destroyed. Bounds, certificates,
+ * tracing, and level sets access a field only by its cells.
  */
 class Tricubic_cell_3
 {
@@ -42,30 +42,31 @@ public:
     : m_corner(corner), m_width(width), m_coefficients(coefficients), m_error_radius(error_radius)
   {}
 
-  /// Returns the corner with the least coordinates, exactly.
+  /// returns the corner with the smallest coordinates, exactly
   const std::array<double, 3>& corner() const { return m_corner; }
-  /// Returns the length of the cell's edges, in user units, exactly.
+  /// returns the length of the cell's edges in the units of the coordinates, exactly
   double width() const { return m_width; }
-  /// Returns the closed cell; its corners are exact.
+  /// returns the closed cell; its corners are exact
   Bbox_3 bbox() const
   {
     return Bbox_3(m_corner[0], m_corner[1], m_corner[2], m_corner[0] + m_width, m_corner[1] + m_width,
                   m_corner[2] + m_width);
   }
-  /// Returns the 64 Bernstein coefficients.
+  /// returns the 64 Bernstein coefficients
   const double* coefficients() const { return m_coefficients; }
-  /// Bounds the distance of each coefficient from the exact one, and so of the polynomial from the spline on the cell.
-  /// The bound is infinite if the spline has coefficients that are not finite, or close to the largest `double`.
+  /// returns a bound on the error of each coefficient, and hence on the difference of the polynomial and the spline on
+  /// the cell. The bound is infinite if the spline has coefficients that are not finite, or close to the largest
+  /// `double`.
   double error_radius() const { return m_error_radius; }
 
-  /// Returns the range of the Bernstein coefficients, which encloses the polynomial on the cell.
+  /// returns the range of the Bernstein coefficients, which encloses the polynomial on the cell
   std::pair<double, double> coefficient_range() const
   {
     const auto mm = std::minmax_element(m_coefficients, m_coefficients + 64);
     return { *mm.first, *mm.second };
   }
 
-  /// Returns the position of `p` in the cell; the cell itself is \f$[0,1]^3\f$.
+  /// returns the position of `p` in the cell; the cell itself is \f$[0,1]^3\f$
   template <typename Point>
   std::array<double, 3> local_coordinates(const Point& p) const
   {
@@ -73,14 +74,14 @@ public:
   }
 
   /// \name Evaluation
-  /// `p` has three coordinates `p[0]`, `p[1]`, `p[2]` in user units; derivatives are per user unit.
+  /// `p` has three coordinates `p[0]`, `p[1]`, `p[2]`; derivatives are with respect to these coordinates.
   /// @{
   template <typename Point>
   double value(const Point& p) const
   {
     return local_value(local_coordinates(p));
   }
-  /// Returns the value at local coordinates.
+  /// returns the value at local coordinates
   double local_value(const std::array<double, 3>& t) const
   {
     return internal::contract(m_coefficients, bernstein(t[0]), bernstein(t[1]), bernstein(t[2]));
@@ -93,7 +94,7 @@ public:
     for(double& d : jet.gradient) d /= m_width;
     return jet;
   }
-  /// Returns the jet at local coordinates, with derivatives by local coordinates.
+  /// returns the jet at local coordinates, with derivatives with respect to local coordinates
   First_order_jet local_first_order_jet(const std::array<double, 3>& t) const
   {
     Basis_jet<2> b;

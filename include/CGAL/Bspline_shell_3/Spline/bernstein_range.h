@@ -20,13 +20,13 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief Returns the least and the largest value of a univariate polynomial on \f$[0, 1]\f$, up to rounding.
+ * \brief returns the smallest and the largest value of a univariate polynomial on \f$[0, 1]\f$, up to rounding.
  *
  * The interval is bisected where the Bernstein coefficients exceed the values found so far.
  *
  * \tparam N degree plus one
  * \param coefficients Bernstein coefficients
- * \cgalHeading{Cost} The coefficients converge quadratically: about 26 bisections for each extremum.
+ * \cgalHeading{Cost} About 26 bisections for each extremum, because the coefficients converge quadratically.
  */
 template <std::size_t N>
 Level_range bernstein_range(const std::array<double, N>& coefficients)

@@ -25,8 +25,8 @@ inline void for_each_line_along(const Visitor& visit)
 }
 
 // Calls visit(axis, n, stride) for each line of four coefficients of a tricubic, along x first, then y, then z. The 64
-// coefficients form 16 lines along each axis. The coefficients of a line are n, n + stride, n + 2 stride and n + 3
-// stride. The stride is a compile-time constant, so that neighboring lines are computed at once.
+// coefficients form 16 lines along each axis. The coefficients of a line are n, n + stride, n + 2 stride, and n + 3
+// stride. The stride is a compile-time constant, so that compilers can vectorize over neighboring lines.
 template <typename Visitor>
 inline void for_each_coefficient_line(const Visitor& visit)
 {

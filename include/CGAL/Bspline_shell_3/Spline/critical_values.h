@@ -22,14 +22,14 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief Returns \f$g - \frac{1}{2} (x - c) \cdot \nabla f\f$, which is \f$g\f$ wherever the gradient of \f$f\f$
+ * \brief returns \f$g - \frac{1}{2} (x - c) \cdot \nabla f\f$, which equals \f$g\f$ wherever the gradient of \f$f\f$
  * vanishes.
  *
  * Let \f$g = f\f$. If \f$f\f$ is quadratic with a critical point at \f$c\f$, the result is constant, by Euler's
- * identity. It is nearly constant on a box that is small compared with the third derivatives of \f$f\f$. So its
- * coefficients enclose the values of \f$g\f$ at critical points of \f$f\f$ much more closely than the coefficients of
- * \f$g\f$ do. This includes walls in whose middle all points are nearly critical, whatever the direction of the wall.
- * The degree is three along each axis, like that of \f$f\f$.
+ * identity. On a box that is small relative to the third derivatives of \f$f\f$, it is nearly constant. Its
+ * coefficients therefore enclose the values of \f$g\f$ at critical points of \f$f\f$ much more closely than those of
+ * \f$g\f$ do. This includes walls of every direction, in whose middle all points are nearly critical. The degree is
+ * three along each axis, like that of \f$f\f$.
  *
  * \param center any point \f$c\f$, in local coordinates; it may be rounded
  */
@@ -43,7 +43,7 @@ inline Enclosed_tricubic values_at_critical_points(const Enclosed_tricubic& g, c
     double* v = &r.coefficients[std::size_t(n)];
     const double c = center[std::size_t(axis)];
     const double s0 = b[stride] - b[0], s1 = b[2 * stride] - b[stride], s2 = b[3 * stride] - b[2 * stride];
-    // Subtract half of (t - c) times the derivative with the coefficients 3 s0, 3 s1, 3 s2.
+    // Subtracts half of (t - c) times the derivative with the coefficients 3 s0, 3 s1, 3 s2.
     v[0] += 1.5 * c * s0;
     v[stride] += c * s1 - (0.5 - 0.5 * c) * s0;
     v[2 * stride] -= (1 - c) * s1 - 0.5 * c * s2;
@@ -67,22 +67,22 @@ inline Enclosed_tricubic values_at_critical_points(const Enclosed_tricubic& g, c
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief An estimate of the point where the gradient of a function on a box vanishes.
+ * \brief an estimate of the point where the gradient of a function on a box vanishes.
  */
 struct Critical_center
 {
   std::array<double, 3> point; ///< local coordinates
   double value;                ///< mean of `values_at_critical_points()` on the box
-  double slope;                ///< remaining slope relative to the curvature: a distance in units of the box
+  double slope;                ///< remaining slope divided by the curvature: a distance in units of the box
 };
 
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief Returns a center for which `values_at_critical_points()` of a function itself vary little; not rigorous.
+ * \brief returns a center for which `values_at_critical_points()` of a function itself varies little; not rigorous.
  *
- * Their mean slope on the box vanishes, up to damping. If the function were quadratic, its gradient would vanish at the
- * center. Along directions of small curvature, the center is near the middle of the box.
+ * The mean slope of this function on the box vanishes, up to damping. If the given function were quadratic, its
+ * gradient would vanish at the center. Along directions of small curvature, the center is near the middle of the box.
  */
 inline Critical_center critical_center(const Enclosed_tricubic& f)
 {
@@ -102,9 +102,10 @@ inline Critical_center critical_center(const Enclosed_tricubic& f)
       if(at[other] % 3 == 0) slope[axis][other][at[other] / 3] += difference / 4;
     if(axis == 0) mean += (b[0] + b[stride] + b[2 * stride] + b[3 * stride]) / 64;
   });
-  // By parts, integrals of x_b times a derivative along b become integrals on faces. Let m be the middle of the box.
-  // Then H (c - m) is the sum, over the axes, of the mean slope on the two faces across the axis, minus 4 times the
-  // mean slope. Both sides are scaled, as squares of small or large numbers would vanish or overflow.
+  // Integration by parts converts integrals of x_b times a derivative along b to integrals on faces. Let m be the
+  // middle of the box. Then H (c - m) is the sum, over the axes, of the mean slope on the two faces across the axis,
+  // minus 4 times the mean slope. Both sides are scaled, because squares of small or large numbers would underflow or
+  // overflow.
   double H[3][3], M[3][3], largest = 0, squared = 0;
   for(int a = 0; a < 3; ++a)
     for(int b = 0; b < 3; ++b) {
@@ -123,7 +124,7 @@ inline Critical_center critical_center(const Enclosed_tricubic& f)
     for(int b = 0; b < 3; ++b) right[a] += (slope[a][b][0] + slope[a][b][1]) / 2;
     right[a] *= unit;
   }
-  // Compute the damped least squares solution.
+  // Computes the damped least-squares solution.
   for(int i = 0; i < 3; ++i)
     for(int j = 0; j < 3; ++j) {
       M[i][j] = H[0][i] * H[0][j] + H[1][i] * H[1][j] + H[2][i] * H[2][j];
@@ -154,8 +155,8 @@ inline Critical_center critical_center(const Enclosed_tricubic& f)
 }
 
 /// \ingroup PkgBsplineShell3Spline
-/// Encloses the values of a function at the points where its gradient vanishes. If the range is empty (`min > max`),
-/// there certainly is no such point.
+/// encloses the values of a function at the points where its gradient vanishes. If the range is empty (`min > max`), it
+/// is proved that there is no such point.
 inline Level_range critical_values(const Enclosed_tricubic& f)
 {
   const Level_range all = f.range(), close = values_at_critical_points(f, f, critical_center(f).point).range();

@@ -19,18 +19,18 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief Returns `true` if \f$\sum_i \lambda_i g_i - \frac{1}{2} \sum_{i<j} \lambda_i \lambda_j q_{ij}\f$ is certainly
+ * \brief returns whether \f$\sum_i \lambda_i g_i - \frac{1}{2} \sum_{i<j} \lambda_i \lambda_j q_{ij}\f$ is proved to be
  * positive for all barycentric coordinates \f$\lambda\f$ of a triangle.
  *
  * The expression is a lower bound of a function that is \f$g_i\f$ at the corners. The second derivative of this
  * function along the edge from corner i to j, times the squared length of the edge, is at most \f$q_{ij}\f$.
  *
- * As the coordinates sum to one, the expression is the quadratic form of the matrix \f$a_{ii} = g_i\f$, \f$a_{ij} =
- * (g_i + g_j) / 2 - q_{ij} / 4\f$. With \f$c_{ij} = a_{ij} / \sqrt{g_i g_j}\f$, it is positive if and only if \f$g_i >
- * 0\f$, \f$c_{ij} > -1\f$, and \f$1 + \sum c_{ij} + \sqrt{2 \prod (1 + c_{ij})} > 0\f$ (K. P. Hadeler, *On copositive
- * matrices*, Linear Algebra and its Applications 49, 1983). A function that rises steeply from one corner may bend by
- * much more than a multiple of its least value. Rounding is covered. If the expression is positive by less than
- * rounding, the result may be `false`.
+ * Because the coordinates sum to one, the expression is the quadratic form of the matrix \f$a_{ii} = g_i\f$, \f$a_{ij}
+ * = (g_i + g_j) / 2 - q_{ij} / 4\f$. With \f$c_{ij} = a_{ij} / \sqrt{g_i g_j}\f$, it is positive if and only if \f$g_i
+ * > 0\f$, \f$c_{ij} > -1\f$, and \f$1 + \sum c_{ij} + \sqrt{2 \prod (1 + c_{ij})} > 0\f$ (*On copositive matrices*, K.
+ * P. Hadeler, Linear Algebra and its Applications 49, 1983). A function that rises steeply from one corner may bend by
+ * much more than a multiple of its smallest value. Rounding is included: if the expression is positive by less than
+ * rounding errors, the result may be `false`.
  *
  * \param g values at the corners
  * \param q \f$q_{ij}\f$ of the edge opposite to each corner

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Returns an upper bound of the length of a vector. Components are scaled, as squares of small numbers would vanish and
-// squares of large ones overflow. The bound is infinite if a component is infinite, and NaN if one is NaN.
+// Returns an upper bound of the length of a vector. Components are scaled, because squares of small or large numbers
+// would underflow or overflow. The bound is infinite if a component is infinite, and NaN if a component is NaN.
 inline double length_bound(const std::array<double, 3>& v)
 {
   const double largest = (std::max)({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
@@ -57,12 +57,12 @@ inline std::array<double, 3> mean(const Gradient_vectors& vectors)
   return m;
 }
 
-// Returns the least component of the vectors along v, times the length of v. The number of that vector is `worst`.
+// Returns the smallest scalar product of v with a vector, and stores the index of this vector in `worst`.
 inline double worst_along(const std::array<double, 3>& v, const Gradient_vectors& vectors, std::size_t& worst)
 {
   std::array<double, 64> along;
   for(int n = 0; n < 64; ++n) along[n] = v[0] * vectors[0][n] + v[1] * vectors[1][n] + v[2] * vectors[2][n];
-  // Four searches are interleaved, as a single one would wait for each of its comparisons.
+  // Four searches are interleaved, because a single search would wait for each of its comparisons.
   std::array<double, 4> least = { along[0], along[1], along[2], along[3] };
   for(std::size_t n = 4; n < 64; n += 4)
     for(std::size_t m = 0; m < 4; ++m) least[m] = (std::min)(least[m], along[n + m]);
@@ -71,8 +71,8 @@ inline double worst_along(const std::array<double, 3>& v, const Gradient_vectors
   return along[worst];
 }
 
-// Moves a point along the segment to one of the vectors, as near to the origin as possible. Returns false if it is
-// there already.
+// Moves a point along the segment to one of the vectors, as close to the origin as possible. Returns false if the point
+// is there already.
 inline bool approach(std::array<double, 3>& v, const Gradient_vectors& vectors, std::size_t worst)
 {
   std::array<double, 3> step;
@@ -104,9 +104,10 @@ inline std::array<double, 3> nearest_of_hull(const Gradient_vectors& gradient)
   return scaled_to_unit(nearest);
 }
 
-// Returns true if f certainly increases along a direction, by more than `steepest` per unit of length. Any direction
-// suffices along which all control vectors of the gradient point. The best one leads to the point of their convex hull
-// that is nearest to the origin. It is approached from the mean of the vectors, towards the worst of them.
+// Returns whether f is proved to increase along a direction, by more than `steepest` per unit of length. A direction
+// suffices if its scalar products with all control vectors of the gradient are positive. The best direction is that of
+// the point of their convex hull that is nearest to the origin. It is approached from the mean of the vectors, in steps
+// toward the worst vector.
 inline bool is_monotone(const Enclosed_tricubic& f, double steepest, std::array<double, 3>& direction)
 {
   const Gradient_vectors gradient = control_vectors_of_gradient(f);
@@ -119,7 +120,7 @@ inline bool is_monotone(const Enclosed_tricubic& f, double steepest, std::array<
       const double largest = (std::max)({ std::abs(unit[0]), std::abs(unit[1]), std::abs(unit[2]) });
       for(int a = 0; a < 3; ++a) direction[a] = unit[a] / largest;
       const double slope = enclosed_derivative(f, direction).range().min;
-      return slope > 0 && slope > steepest * length_bound(direction); // fails only by rounding
+      return slope > 0 && slope > steepest * length_bound(direction); // may fail only because of rounding
     }
     if(!approach(nearest, gradient, worst)) return false;
   }

@@ -17,13 +17,13 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Spline
-/// A symmetric matrix, by its entries xx, yy, zz, yz, xz, xy.
+/// a symmetric matrix with the entries xx, yy, zz, yz, xz, xy
 typedef std::array<double, 6> Symmetric_matrix_3;
 
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief A set of symmetric matrices, given by bounds of their entries.
+ * \brief a set of symmetric matrices, given by bounds of their entries.
  */
 struct Symmetric_matrix_range_3
 {
@@ -47,7 +47,7 @@ struct Symmetric_matrix_range_3
     return negative;
   }
 
-  /// Bounds the sum of the absolute entries of each matrix.
+  /// returns a bound on the sum of the absolute entries of each matrix
   double size() const
   {
     double sum = 0;
@@ -55,8 +55,8 @@ struct Symmetric_matrix_range_3
     return sum;
   }
 
-  /// Returns a matrix, rounded, whose quadratic form is at least that of each matrix. It is the center of the range;
-  /// the row sums of the radius are added to the diagonal, as \f$2 |d_a d_b| \le d_a^2 + d_b^2\f$.
+  /// returns a matrix, rounded, whose quadratic form is at least that of each matrix: the center of the range, with the
+  /// row sums of the radius added to the diagonal, because \f$2 |d_a d_b| \le d_a^2 + d_b^2\f$
   Symmetric_matrix_3 largest_form() const
   {
     Symmetric_matrix_3 q, radius;
@@ -72,7 +72,7 @@ struct Symmetric_matrix_range_3
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief Encloses the second derivatives of a function on a cell, by second differences of its coefficients.
+ * \brief encloses the second derivatives of a function on a cell, by second differences of its coefficients.
  *
  * \param width width of the cell, in the unit of length of the derivatives
  */
@@ -86,7 +86,7 @@ inline Symmetric_matrix_range_3 second_derivatives(const Enclosed_tricubic& f, d
   const double error = (1 + 16 * internal::rounding)
                        * (4 * f.radius + 16 * internal::rounding * largest + internal::underflow);
   Symmetric_matrix_range_3 h;
-  if(!(16 * largest + error < std::numeric_limits<double>::infinity())) { // otherwise all differences are finite
+  if(!(16 * largest + error < std::numeric_limits<double>::infinity())) { // otherwise, all differences are finite
     h.least.fill(-std::numeric_limits<double>::infinity());
     h.most.fill(std::numeric_limits<double>::infinity());
     return h;
@@ -114,7 +114,7 @@ inline Symmetric_matrix_range_3 second_derivatives(const Enclosed_tricubic& f, d
             include((p[s + t] - p[s]) - (p[t] - p[0]));
           }
     }
-    // Divide twice, as the square of a width may overflow or vanish.
+    // Divides twice, because the square of a width may overflow or underflow.
     const double factor = m < 3 ? 6 : 9, rounded = 8 * internal::rounding * (std::max)(std::abs(least), std::abs(most));
     h.least[m] = factor * (least - error - rounded) / width / width - internal::underflow;
     h.most[m] = factor * (most + error + rounded) / width / width + internal::underflow;

@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// A tricubic polynomial has 64 coefficients c[i + 4j + 16k], with i along x. In any basis (B-spline or Bernstein),
+// A tricubic polynomial has 64 coefficients c[i + 4j + 16k], with i along x. In each basis (B-spline or Bernstein),
 // values and derivatives are contractions with one array of four weights per axis.
 template <typename NT>
 using Weights = std::array<NT, 4>;

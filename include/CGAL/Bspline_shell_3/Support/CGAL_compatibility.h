@@ -32,7 +32,7 @@ using AABB_traits_3 = CGAL::AABB_traits_3<Kernel, Primitive>;
 template <typename Kernel, typename Iterator>
 using AABB_triangle_primitive_3 = CGAL::AABB_triangle_primitive_3<Kernel, Iterator>;
 template <typename T>
-using Optional = std::optional<T>; // used by the policies of edge collapse
+using Optional = std::optional<T>; // used by the policies of edge collapses
 template <typename T, typename Variant>
 const T* get_if(const Variant& variant)
 {

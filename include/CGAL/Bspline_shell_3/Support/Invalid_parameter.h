@@ -17,21 +17,21 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Support
  *
- * \brief The values that a parameter may have: an interval.
+ * \brief the values that a parameter may have: an interval.
  */
 struct Parameter_bounds
 {
   double lower = 0, upper = std::numeric_limits<double>::infinity();
   bool is_lower_allowed = false, is_upper_allowed = false;
 
-  /// Returns the bounds of lengths: finite numbers greater than zero.
+  /// returns the bounds of lengths: finite numbers greater than zero
   static Parameter_bounds positive() { return {}; }
-  /// Returns the bounds of limits: numbers greater than zero, and infinity.
+  /// returns the bounds of limits: numbers greater than zero, and infinity
   static Parameter_bounds positive_or_infinite() { return { 0, std::numeric_limits<double>::infinity(), false, true }; }
-  /// Returns the bounds of weights: finite numbers that are zero or more.
+  /// returns the bounds of weights: finite numbers that are zero or more
   static Parameter_bounds not_negative() { return { 0, std::numeric_limits<double>::infinity(), true, false }; }
 
-  /// Returns `true` if a value is in the interval, and `false` if it is NaN.
+  /// returns `true` if a value is in the interval, and `false` if it is NaN
   bool contains(double x) const
   {
     return (x > lower || (is_lower_allowed && x == lower)) && (x < upper || (is_upper_allowed && x == upper));
@@ -41,18 +41,18 @@ struct Parameter_bounds
 /*!
  * \ingroup PkgBsplineShell3Support
  *
- * \brief The parameter to which a status `INVALID_PARAMETER` refers: its name, its value and its bounds.
+ * \brief the parameter to which a status `INVALID_PARAMETER` refers: its name, its value, and its bounds.
  */
 struct Invalid_parameter
 {
-  const char* name = nullptr; ///< name of the parameter or the argument; null if none is invalid
-  double value = 0;           ///< given value; if the parameter is a function, a value that it returned
+  const char* name = nullptr; ///< name of the parameter or argument; null if none is invalid
+  double value = 0;           ///< the given value; if the parameter is a function, a value that it returned
   Parameter_bounds bounds;    ///< bounds of the allowed values
 
-  /// Returns `true` if a parameter is invalid.
+  /// returns `true` if a parameter is invalid
   explicit operator bool() const { return name != nullptr; }
 
-  /// Records a parameter if its value is not allowed and no other parameter is recorded.
+  /// records a parameter if its value is not allowed and no other parameter is recorded
   void check(const char* parameter, double given, const Parameter_bounds& allowed)
   {
     if(!*this && !allowed.contains(given)) *this = { parameter, given, allowed };
@@ -60,7 +60,7 @@ struct Invalid_parameter
 };
 
 /// \ingroup PkgBsplineShell3Support
-/// Returns a sentence with the name, the value and the bounds; an empty string if no parameter is invalid.
+/// returns a sentence with the name, the value, and the bounds; an empty string if no parameter is invalid
 inline std::string message(const Invalid_parameter& parameter)
 {
   if(!parameter) return "";

@@ -13,187 +13,40 @@
 namespace CGAL {
 namespace Bspline_shells {
 
-namespace parameter_tags {
-
-enum resolution_t
-{
-  resolution
-};
-enum relative_thickness_t
-{
-  relative_thickness
-};
-enum thickness_t
-{
-  thickness
-};
-enum sizing_t
-{
-  sizing
-};
-enum constant_thresholds_t
-{
-  constant_thresholds
-};
-enum number_of_rings_t
-{
-  number_of_rings
-};
-enum dense_grid_t
-{
-  dense_grid
-};
-enum energy_weights_t
-{
-  energy_weights
-};
-enum spd_solver_t
-{
-  spd_solver
-};
-enum signed_distance_oracle_t
-{
-  signed_distance_oracle
-};
-enum memory_limit_t
-{
-  memory_limit
-};
-enum effort_limit_t
-{
-  effort_limit
-};
-enum allow_singular_vertices_t
-{
-  allow_singular_vertices
-};
-enum virtual_closing_t
-{
-  virtual_closing
-};
-enum closing_t
-{
-  closing
-};
-enum truncate_t
-{
-  truncate
-};
-enum least_cone_margin_t
-{
-  least_cone_margin
-};
-enum alpha_t
-{
-  alpha
-};
-enum offset_t
-{
-  offset
-};
-enum allow_open_shell_t
-{
-  allow_open_shell
-};
-enum skip_open_components_t
-{
-  skip_open_components
-};
-enum tolerance_t
-{
-  tolerance
-};
-enum interpolation_t
-{
-  interpolation
-};
-enum mapping_t
-{
-  mapping
-};
-enum symmetry_t
-{
-  symmetry
-};
-enum linear_reconstruction_t
-{
-  linear_reconstruction
-};
-enum samples_per_facet_t
-{
-  samples_per_facet
-};
-enum default_value_t
-{
-  default_value
-};
-enum stop_t
-{
-  stop
-};
-enum locate_vertices_t
-{
-  locate_vertices
-};
-enum freeze_rejected_facets_t
-{
-  freeze_rejected_facets
-};
-
-} // namespace parameter_tags
-
-// A pack of named parameters. Parameters of this package and of CGAL can be added in any order. Functions take packs by
-// the base class, CGAL::Named_function_parameters.
-template <typename T, typename Tag, typename Base = internal_np::No_property>
-struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
-{
-  typedef CGAL::Named_function_parameters<T, Tag, Base> Pack;
-
-  explicit Named_parameters(const T& v) : Pack(v) {}
-  explicit Named_parameters(const Pack& pack) : Pack(pack) {}
-  template <typename B>
-  Named_parameters(const T& v, const B& base) : Pack(v, base)
-  {}
-
-#define CGAL_BSPLINE_SHELLS_ADD_PARAMETER(TAG, NAME)                                                                   \
-  template <typename K>                                                                                                \
-  Named_parameters<K, TAG, Pack> NAME(const K& k) const                                                                \
-  {                                                                                                                    \
-    return Named_parameters<K, TAG, Pack>(k, static_cast<const Pack&>(*this));                                         \
-  }
-
-#define CGAL_BSPLINE_SHELLS_PARAMETERS(ADD)                                                                            \
-  ADD(parameter_tags::resolution_t, resolution)                                                                        \
-  ADD(parameter_tags::relative_thickness_t, relative_thickness)                                                        \
-  ADD(parameter_tags::thickness_t, thickness)                                                                          \
-  ADD(parameter_tags::sizing_t, sizing)                                                                                \
-  ADD(parameter_tags::constant_thresholds_t, constant_thresholds)                                                      \
-  ADD(parameter_tags::number_of_rings_t, number_of_rings)                                                              \
-  ADD(parameter_tags::dense_grid_t, dense_grid)                                                                        \
-  ADD(parameter_tags::energy_weights_t, energy_weights)                                                                \
-  ADD(parameter_tags::spd_solver_t, spd_solver)                                                                        \
-  ADD(parameter_tags::signed_distance_oracle_t, signed_distance_oracle)                                                \
-  ADD(parameter_tags::memory_limit_t, memory_limit)                                                                    \
-  ADD(parameter_tags::effort_limit_t, effort_limit)                                                                    \
-  ADD(parameter_tags::allow_singular_vertices_t, allow_singular_vertices)                                              \
-  ADD(parameter_tags::virtual_closing_t, virtual_closing)                                                              \
-  ADD(parameter_tags::closing_t, closing)                                                                              \
-  ADD(parameter_tags::truncate_t, truncate)                                                                            \
-  ADD(parameter_tags::least_cone_margin_t, least_cone_margin)                                                          \
-  ADD(parameter_tags::alpha_t, alpha)                                                                                  \
-  ADD(parameter_tags::offset_t, offset)                                                                                \
-  ADD(parameter_tags::allow_open_shell_t, allow_open_shell)                                                            \
-  ADD(parameter_tags::skip_open_components_t, skip_open_components)                                                    \
-  ADD(parameter_tags::tolerance_t, tolerance)                                                                          \
-  ADD(parameter_tags::interpolation_t, interpolation)                                                                  \
-  ADD(parameter_tags::mapping_t, mapping)                                                                              \
-  ADD(parameter_tags::symmetry_t, symmetry)                                                                            \
-  ADD(parameter_tags::linear_reconstruction_t, linear_reconstruction)                                                  \
-  ADD(parameter_tags::samples_per_facet_t, samples_per_facet)                                                          \
-  ADD(parameter_tags::default_value_t, default_value)                                                                  \
-  ADD(parameter_tags::stop_t, stop)                                                                                    \
-  ADD(parameter_tags::locate_vertices_t, locate_vertices)                                                              \
-  ADD(parameter_tags::freeze_rejected_facets_t, freeze_rejected_facets)                                                \
+// All named parameters. The tags of those of this package are in `parameter_tags`; others have tags of CGAL's.
+// clang-format off
+#define CGAL_BSPLINE_SHELLS_PARAMETERS(OWN, ADD)                                                                       \
+  OWN(resolution)                                                                                                      \
+  OWN(relative_thickness)                                                                                              \
+  OWN(thickness)                                                                                                       \
+  OWN(sizing)                                                                                                          \
+  OWN(constant_thresholds)                                                                                             \
+  OWN(number_of_rings)                                                                                                 \
+  OWN(dense_grid)                                                                                                      \
+  OWN(energy_weights)                                                                                                  \
+  OWN(spd_solver)                                                                                                      \
+  OWN(signed_distance_oracle)                                                                                          \
+  OWN(memory_limit)                                                                                                    \
+  OWN(effort_limit)                                                                                                    \
+  OWN(allow_singular_vertices)                                                                                         \
+  OWN(virtual_closing)                                                                                                 \
+  OWN(closing)                                                                                                         \
+  OWN(truncate)                                                                                                        \
+  OWN(least_cone_margin)                                                                                               \
+  OWN(alpha)                                                                                                           \
+  OWN(offset)                                                                                                          \
+  OWN(allow_open_shell)                                                                                                \
+  OWN(skip_open_components)                                                                                            \
+  OWN(tolerance)                                                                                                       \
+  OWN(interpolation)                                                                                                   \
+  OWN(mapping)                                                                                                         \
+  OWN(symmetry)                                                                                                        \
+  OWN(linear_reconstruction)                                                                                           \
+  OWN(samples_per_facet)                                                                                               \
+  OWN(default_value)                                                                                                   \
+  OWN(stop)                                                                                                            \
+  OWN(locate_vertices)                                                                                                 \
+  OWN(freeze_rejected_facets)                                                                                          \
   ADD(internal_np::maximum_running_time_t, time_limit)                                                                 \
   ADD(internal_np::allow_self_intersections_t, allow_self_intersections)                                               \
   ADD(internal_np::vertex_point_t, vertex_point_map)                                                                   \
@@ -209,9 +62,39 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   ADD(internal_np::number_of_iterations_t, number_of_iterations)                                                       \
   ADD(internal_np::number_of_relaxation_steps_t, number_of_relaxation_steps)                                           \
   ADD(internal_np::subdivision_ratio_t, subdivision_ratio)
+// clang-format on
 
-  CGAL_BSPLINE_SHELLS_PARAMETERS(CGAL_BSPLINE_SHELLS_ADD_PARAMETER)
-#undef CGAL_BSPLINE_SHELLS_ADD_PARAMETER
+namespace parameter_tags {
+#define CGAL_BSPLINE_SHELLS_TAG(NAME) enum NAME##_t{ NAME };
+#define CGAL_BSPLINE_SHELLS_NO_TAG(TAG, NAME)
+CGAL_BSPLINE_SHELLS_PARAMETERS(CGAL_BSPLINE_SHELLS_TAG, CGAL_BSPLINE_SHELLS_NO_TAG)
+#undef CGAL_BSPLINE_SHELLS_TAG
+#undef CGAL_BSPLINE_SHELLS_NO_TAG
+} // namespace parameter_tags
+
+// A pack of named parameters. Parameters of this package and of CGAL can be added in any order. Functions take packs by
+// the base class, CGAL::Named_function_parameters.
+template <typename T, typename Tag, typename Base = internal_np::No_property>
+struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
+{
+  typedef CGAL::Named_function_parameters<T, Tag, Base> Pack;
+
+  explicit Named_parameters(const T& v) : Pack(v) {}
+  explicit Named_parameters(const Pack& pack) : Pack(pack) {}
+  template <typename B>
+  Named_parameters(const T& v, const B& base) : Pack(v, base)
+  {}
+
+#define CGAL_BSPLINE_SHELLS_ADD(TAG, NAME)                                                                             \
+  template <typename K>                                                                                                \
+  Named_parameters<K, TAG, Pack> NAME(const K& k) const                                                                \
+  {                                                                                                                    \
+    return Named_parameters<K, TAG, Pack>(k, static_cast<const Pack&>(*this));                                         \
+  }
+#define CGAL_BSPLINE_SHELLS_ADD_OWN(NAME) CGAL_BSPLINE_SHELLS_ADD(parameter_tags::NAME##_t, NAME)
+  CGAL_BSPLINE_SHELLS_PARAMETERS(CGAL_BSPLINE_SHELLS_ADD_OWN, CGAL_BSPLINE_SHELLS_ADD)
+#undef CGAL_BSPLINE_SHELLS_ADD_OWN
+#undef CGAL_BSPLINE_SHELLS_ADD
 };
 
 namespace internal {
@@ -239,13 +122,6 @@ decltype(auto) argument(const NP& np, Tag tag, const Arguments&... arguments_of_
 /// parameters are documented with the functions that read them.
 namespace parameters {
 
-#define CGAL_BSPLINE_SHELLS_BEGIN_PARAMETERS(TAG, NAME)                                                                \
-  template <typename K>                                                                                                \
-  Named_parameters<K, TAG> NAME(const K& k)                                                                            \
-  {                                                                                                                    \
-    return Named_parameters<K, TAG>(k);                                                                                \
-  }
-
 /// Continues a sequence that began in `CGAL::parameters`, such as
 /// `with(CGAL::parameters::vertex_point_map(vpm)).resolution(60)`.
 template <typename T, typename Tag, typename Base>
@@ -254,8 +130,16 @@ Named_parameters<T, Tag, Base> with(const CGAL::Named_function_parameters<T, Tag
   return Named_parameters<T, Tag, Base>(np);
 }
 
-CGAL_BSPLINE_SHELLS_PARAMETERS(CGAL_BSPLINE_SHELLS_BEGIN_PARAMETERS)
-#undef CGAL_BSPLINE_SHELLS_BEGIN_PARAMETERS
+#define CGAL_BSPLINE_SHELLS_BEGIN(TAG, NAME)                                                                           \
+  template <typename K>                                                                                                \
+  Named_parameters<K, TAG> NAME(const K& k)                                                                            \
+  {                                                                                                                    \
+    return Named_parameters<K, TAG>(k);                                                                                \
+  }
+#define CGAL_BSPLINE_SHELLS_BEGIN_OWN(NAME) CGAL_BSPLINE_SHELLS_BEGIN(parameter_tags::NAME##_t, NAME)
+CGAL_BSPLINE_SHELLS_PARAMETERS(CGAL_BSPLINE_SHELLS_BEGIN_OWN, CGAL_BSPLINE_SHELLS_BEGIN)
+#undef CGAL_BSPLINE_SHELLS_BEGIN_OWN
+#undef CGAL_BSPLINE_SHELLS_BEGIN
 #undef CGAL_BSPLINE_SHELLS_PARAMETERS
 
 } // namespace parameters

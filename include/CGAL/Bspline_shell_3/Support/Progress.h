@@ -12,14 +12,14 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Support
-/// The steps of the construction of a shell.
+/// the steps of the construction of a shell
 enum class Shell_step
 {
-  CHECK,      ///< copy, triangulate and check the mesh
-  CELLS,      ///< cut the mesh, choose the cells
+  CHECK,      ///< copy, triangulate, and check the mesh
+  CELLS,      ///< choose the cells, clip the mesh to them
   DISTANCE,   ///< sample the signed distance
   FIT,        ///< assemble and solve
-  BOUNDS,     ///< extrema on the mesh
+  BOUNDS,     ///< extrema of the field on the mesh
   CERTIFICATE ///< thresholds and proofs
 };
 
@@ -40,44 +40,46 @@ inline const char* name(Shell_step step)
 /*!
  * \ingroup PkgBsplineShell3Support
  *
- * \brief A visitor that is called in each step, and can stop the construction. This default never stops it.
+ * \brief a visitor that receives the steps of a construction and can cancel it. This default never cancels it.
  *
  * \cgalModels `ShellVisitor`
  */
 struct Default_shell_visitor
 {
-  /// Called by the calling thread when a step begins. The value `false` stops with `Shell_status::CANCELED`.
+  /// called by the calling thread when a step begins; `false` ends the construction with `Shell_status::CANCELED`
   bool start_step(Shell_step) { return true; }
-  /// Called by the calling thread many times within each step. The value `false` stops with `Shell_status::CANCELED`.
+  /// called by the calling thread many times within each step; `false` ends the construction with
+  /// `Shell_status::CANCELED`
   bool go_on() { return true; }
 };
 
 /*!
  * \ingroup PkgBsplineShell3Support
  *
- * \brief A visitor that is called as remeshing proceeds, and can end it. This default never ends it.
+ * \brief a visitor that receives the progress of remeshing and can end it. This default never ends it.
  *
  * \cgalModels `RemeshingVisitor`
  */
 struct Default_remeshing_visitor
 {
-  /// Called when an iteration begins; the first iteration is 0. The value `false` ends the edit.
+  /// called when an iteration begins; the first iteration is 0. `false` ends the edit.
   bool start_iteration(unsigned int) { return true; }
-  /// Called before each operation. The value `false` ends the edit.
+  /// called before each operation; `false` ends the edit
   bool go_on() { return true; }
 };
 
 /*!
  * \ingroup PkgBsplineShell3Support
  *
- * \brief A visitor that receives the number of points moved so far, and can stop the rest. This default never stops it.
+ * \brief a visitor that receives the number of points moved so far and can cancel the rest. This default never cancels
+ * it.
  *
  * \cgalModels `FlowVisitor`
  */
 struct Default_flow_visitor
 {
-  /// Called repeatedly by the calling thread. The value `false` stops: the remaining points get the status
-  /// `Flow_status::CANCELED`.
+  /// called repeatedly by the calling thread; if it returns `false`, the remaining points get the status
+  /// `Flow_status::CANCELED`
   bool advance(std::size_t /* done */, std::size_t /* total */) { return true; }
 };
 

@@ -18,13 +18,14 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// A call of a public function, which ends early when its time limit is reached or its visitor cancels it.
+// A call of a public function, which ends early if its time limit is reached or its visitor cancels it.
 //
-// Passes call `Run::poll()` between pieces of work of at most about a millisecond; `for_each_chunk()` calls it before
-// each chunk. Once the run has ended, `poll()` throws `Run::Ended`, so that no code sees an incomplete result. The
-// public function catches the exception, and its caller never sees it. Time has no other influence on a result.
+// Algorithms call `Run::poll()` between pieces of work of at most about a millisecond; `for_each_chunk()` calls it
+// before each chunk. Once the run has ended, `poll()` throws `Run::Ended`, so that no code sees an incomplete result.
+// The public function catches the exception, so its caller never sees it. Time has no other influence on a result.
 //
-// The run of a thread is not passed down. `Run::Scope` sets it, and `for_each_chunk()` sets it in its worker threads.
+// The run of a thread is not passed as an argument. `Run::Scope` sets it, and `for_each_chunk()` sets it in its worker
+// threads.
 class Run
 {
   typedef std::chrono::steady_clock Clock;
@@ -41,7 +42,7 @@ public:
   };
 
   // `go_on` may be empty. It is called by polls of the thread that constructs this object. A nested run ends no later
-  // than the outer run. If it has no `go_on` and is on the same thread, it uses that of the outer run.
+  // than the outer run. If the nested run has no `go_on` and is on the same thread, it uses that of the outer run.
   explicit Run(double max_seconds, std::function<bool()> go_on = std::function<bool()>())
     : m_go_on(std::move(go_on)), m_thread(std::this_thread::get_id())
   {

@@ -10,7 +10,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Support
-/// The outcome of solving a linear system.
+/// the outcome of solving a linear system
 enum class Solver_status
 {
   SUCCESS,
@@ -18,7 +18,7 @@ enum class Solver_status
   NOT_CONVERGED,         ///< the iteration limit was reached before the tolerance
   OUT_OF_MEMORY,         ///< the factorization needs more memory, or larger integers, than available
   NOT_FINITE,            ///< the solution has infinite or NaN components
-  WRONG_SOLUTION         ///< the solver returned `SUCCESS`, but not a solution (`Any_spd_solver`)
+  WRONG_SOLUTION         ///< the solver returned `SUCCESS` and a wrong solution (`Any_spd_solver`)
 };
 
 } // namespace Bspline_shells

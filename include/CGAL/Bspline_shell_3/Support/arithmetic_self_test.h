@@ -17,14 +17,15 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Support
  *
- * \brief The result of `arithmetic_self_test()`: whether the arithmetic is the one that all proofs assume.
+ * \brief the result of `arithmetic_self_test()`: whether floating-point arithmetic has the properties that all proofs
+ * assume.
  */
 enum class Arithmetic_status
 {
   SOUND,
   NOT_IEEE,        ///< `double` is not an IEEE 754 type, or results are kept in a wider format
   FLUSHES_TO_ZERO, ///< subnormal numbers are flushed to zero
-  REORDERED, ///< the compiler treats floating point operations as those of real numbers (`-ffast-math`, or parts of it)
+  REORDERED, ///< the compiler reorders floating-point operations, as real numbers permit (`-ffast-math` or parts of it)
   ROUNDING_MODE_IGNORED, ///< the compiler assumes one rounding mode (no `-frounding-math`): exact predicates may fail
   NO_DIRECTED_ROUNDING   ///< the rounding mode has no effect: exact predicates fail
 };
@@ -32,20 +33,19 @@ enum class Arithmetic_status
 inline const char* message(Arithmetic_status status)
 {
   switch(status) {
-    case Arithmetic_status::SOUND: return "The arithmetic is sound.";
+    case Arithmetic_status::SOUND: return "Floating-point arithmetic is sound.";
     case Arithmetic_status::NOT_IEEE:
-      return "The type double is not that of IEEE 754: nothing can be proved on this platform.";
+      return "The type double does not have the arithmetic of IEEE 754: use another platform, or compile for SSE2 "
+             "(-mfpmath=sse).";
     case Arithmetic_status::FLUSHES_TO_ZERO:
-      return "Subnormal numbers are flushed to zero: compile without -ffast-math, and leave the mode alone.";
-    case Arithmetic_status::REORDERED: return "Floating point operations are reordered: compile without -ffast-math.";
+      return "Subnormal numbers are flushed to zero: compile without -ffast-math, and do not set flush-to-zero mode.";
+    case Arithmetic_status::REORDERED: return "Floating-point operations are reordered: compile without -ffast-math.";
     case Arithmetic_status::ROUNDING_MODE_IGNORED:
-      return "The compiler moves floating point operations across changes of the rounding mode: compile with "
-             "-frounding-math, which the target "
-             "CGAL::CGAL brings.";
+      return "The compiler moves floating-point operations across changes of the rounding mode: compile with "
+             "-frounding-math, as the CMake target CGAL::CGAL does.";
     case Arithmetic_status::NO_DIRECTED_ROUNDING:
-      return "The rounding mode has no effect on this platform: exact predicates fail. Compile with -frounding-math, "
-             "which the target "
-             "CGAL::CGAL brings.";
+      return "The rounding mode has no effect: compile with -frounding-math, as the CMake target CGAL::CGAL does, or "
+             "use another platform.";
   }
   return "";
 }
@@ -53,15 +53,15 @@ inline const char* message(Arithmetic_status status)
 /*!
  * \ingroup PkgBsplineShell3Support
  *
- * \brief Returns whether the arithmetic is sound. It checks the macros of compiler options, and single operations with
- * known results.
+ * \brief returns whether floating-point arithmetic is sound, from the macros of compiler options and from single
+ * operations with known results.
  *
- * The test works in any build, unlike an assertion. It takes less than a microsecond, and restores the rounding mode.
+ * Unlike an assertion, the test works in every build. It takes less than a microsecond, and restores the rounding mode.
  *
- * The macros describe the current translation unit only. All files of a program that include the package must be
- * compiled with the same options, as the linker keeps one of several copies of a function. GCC 12 defines a macro for
- * each option. Clang, and older versions of GCC, may have none for `-frounding-math`; then only the operations are
- * tested.
+ * The macros describe only the current translation unit. All files of a program that include the package must be
+ * compiled with the same options, because the linker keeps one of several copies of a function. GCC 12 defines a macro
+ * for each option. Clang and older versions of GCC may have none for `-frounding-math`; in this case, only the
+ * operations are tested.
  */
 inline Arithmetic_status arithmetic_self_test()
 {

@@ -23,7 +23,7 @@ class Lazy_exact_nt;
 namespace Bspline_shells {
 namespace internal {
 
-// Operations on vectors, without a kernel: three coordinates u[0], u[1], u[2], which are doubles or exact numbers.
+// Operations on vectors without a kernel: three coordinates u[0], u[1], u[2], which are doubles or exact numbers.
 
 template <typename U, typename V>
 auto dot(const U& u, const V& v)
@@ -46,7 +46,7 @@ double norm(const Vector& v)
 }
 
 // Returns the double that represents a number of the user. Proofs hold for the rounded mesh, so all code must round in
-// this way. to_double() of a lazy number depends on its history, and has a relative error of up to 1e-5.
+// this way: to_double() of a lazy number depends on its history, and has a relative error of up to 1e-5.
 template <typename NT>
 double rounded(const NT& x)
 {
@@ -67,12 +67,12 @@ std::array<double, 3> rounded_coordinates(const Vector& v)
   return { rounded(v[0]), rounded(v[1]), rounded(v[2]) };
 }
 
-// Returns a point whose coordinates are doubles, as a point of another kernel: `p` itself if it has this type.
+// Returns a point with coordinates of type double as a point of another kernel, or `p` itself if it has this type.
 template <typename Point, typename Other>
 decltype(auto) converted(Other&& p)
 {
   static_assert(std::is_same<std::decay_t<decltype(p[0])>, double>::value,
-                "The coordinates must be doubles: others would be rounded.");
+                "The coordinates must be of type double: other types would be rounded.");
   if constexpr(!std::is_same<Point, std::decay_t<Other> >::value) return Point(p[0], p[1], p[2]);
   else return static_cast<std::conditional_t<std::is_lvalue_reference<Other>::value, const Point&, Point> >(p);
 }

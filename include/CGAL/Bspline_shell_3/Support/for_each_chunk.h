@@ -23,16 +23,16 @@ namespace Bspline_shells {
 namespace internal {
 
 // Returns the size of chunks, at most `most`. If there are few items, chunks are smaller, so that there are at least
-// about 64 of them. This suits items, such as facets of a mesh, that are cheap if they are many and may be expensive if
-// they are few.
+// about 64 of them. This suits items that are cheap if there are many and may be expensive if there are few, such as
+// facets of a mesh.
 inline std::size_t chunk_size(std::size_t size, std::size_t most)
 {
   constexpr std::size_t few = 64;
   return (std::max)(std::size_t(1), (std::min)(most, size / few));
 }
 
-// Calls f(begin, end) for consecutive chunks of [0, size). The chunks depend on `size` and `chunk` alone, so results
-// per chunk do not depend on the number of threads. Throws `Run::Ended` if the run of this thread ends first.
+// Calls f(begin, end) for consecutive chunks of [0, size). The chunks depend only on `size` and `chunk`, so results per
+// chunk do not depend on the number of threads. Throws `Run::Ended` if the run of this thread ends first.
 template <typename ConcurrencyTag, typename Function>
 void for_each_chunk(std::size_t size, std::size_t chunk, const Function& f)
 {
@@ -41,13 +41,13 @@ void for_each_chunk(std::size_t size, std::size_t chunk, const Function& f)
   CGAL::for_each<ConcurrencyTag>(boost::irange<std::size_t>(0, chunks), [&](const std::size_t& c) {
     const Run::Scope scope(run);
     Run::poll();
-    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // the rounding mode is per thread
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // each thread has its own rounding mode
     f(c * chunk, (std::min)(size, (c + 1) * chunk));
     return true;
   });
 }
 
-// Calls f(begin, end, found) for each chunk, which appends any number of results to `found`. Returns all results in the
+// Calls f(begin, end, found) for each chunk; f appends any number of results to `found`. Returns all results in the
 // order of the chunks.
 template <typename ConcurrencyTag, typename T, typename Function>
 std::vector<T> collect_from_chunks(std::size_t size, std::size_t chunk, const Function& f)

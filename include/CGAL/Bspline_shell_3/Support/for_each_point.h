@@ -20,10 +20,10 @@ namespace Bspline_shells {
 namespace internal {
 
 // Calls f(n, p) for all n < size, where p are the rounded coordinates of point(n). In between, the calling thread calls
-// visitor.advance(done, size). If this returns false, the rest is skipped. Returns true if all points were processed.
-// Points near each other are processed consecutively, as they use the same cached data. For a million random points on
-// 52 K facets, this makes the projection three times as fast. Each chunk gets a copy of `f`, which may store its last
-// point.
+// visitor.advance(done, size); if this returns false, the rest is skipped. Returns true if all points were processed.
+// Points near each other are processed consecutively, because they use the same cached data: for a million random
+// points on 52,000 facets, this makes the projection three times as fast. Each chunk has a copy of `f`, which may store
+// its last point.
 template <typename ConcurrencyTag, typename Visitor, typename PointOf, typename Function>
 bool for_each_point(std::size_t size, const PointOf& point, Visitor& visitor, const Function& f)
 {

@@ -6,9 +6,9 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SUPPORT_INSTANCES_H
 #define CGAL_BSPLINE_SHELL_3_SUPPORT_INSTANCES_H
 
-// By default the package is header-only. CMake's target Bspline_shell_3::Instances defines
-// CGAL_BSPLINE_SHELL_3_INSTANCES. It links a library of the functions that are not templates, and of the instances that
-// nearly every program needs. Headers then do not include their *_impl.h, and declare these instances at their ends.
+// By default, the package is header-only. The CMake target Bspline_shell_3::Instances defines
+// CGAL_BSPLINE_SHELL_3_INSTANCES, and links a library of the functions that are not templates and of the instances that
+// most programs need. Headers then do not include their *_impl.h, and declare these instances at their ends.
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
 #define CGAL_BSPLINE_SHELL_3_INLINE
 #else

@@ -38,10 +38,10 @@ inline std::uint64_t spread_bits(std::uint64_t x)
   return (x | x << 2) & 0x1249249249249249;
 }
 
-// The numbers of points in Morton order, in the last `number_bits` bits of sorted keys. The leading bits of a key are
+// The indices of points in Morton order, in the last `number_bits` bits of sorted keys. The leading bits of a key are
 // the Morton code of the point in the bounding box of all points, with as many bits as fit. Points with equal codes are
-// ordered by their numbers. Points that are not finite come last. A million points take 40 ns each.
-// CGAL::hilbert_sort(), which moves the points themselves, would take 1/7 of the time of a projection.
+// ordered by index. Points that are not finite come last. A million points take 40 ns each; CGAL::hilbert_sort(), which
+// moves the points themselves, would take 1/7 of the time of a projection.
 struct Morton_order
 {
   std::vector<std::uint64_t> keys;

@@ -14,9 +14,9 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Returns a power of two whose product with x has a size in [1/2, 1), or less if x is subnormal. Returns one if x is
-// zero or not finite. Scaling by powers of two does not round, and squares of numbers that are scaled by it neither
-// overflow nor vanish.
+// Returns a power of two whose product with x has an absolute value in [1/2, 1), or less if x is subnormal. Returns one
+// if x is zero or not finite. Scaling by powers of two does not round, and squares of scaled numbers neither overflow
+// nor underflow.
 inline double reciprocal_power_of_two(double x)
 {
   if(!std::isfinite(x) || x == 0) return 1;

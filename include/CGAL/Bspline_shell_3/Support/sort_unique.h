@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Support
-/// Sorts the values, and removes duplicates.
+/// sorts the values, and removes duplicates
 template <typename T>
 void sort_unique(std::vector<T>& values)
 {

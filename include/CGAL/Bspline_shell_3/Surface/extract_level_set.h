@@ -44,35 +44,36 @@ struct All_cells
  * \brief extracts a triangle mesh of the level set \f$\{f = level\}\f$ of a field, or of the points where the field
  * equals a threshold. See `extract_shell_surface()` for the surfaces of a shell.
  *
- * Each leaf cell is cut into subcells, and these into tetrahedra, which also conform where small leaves meet larger
- * ones. Each tetrahedron that the level set passes yields one or two triangles (*marching tetrahedra*). The mesh is
- * closed and 2-manifold by construction, across leaves of all sizes and also where the level set is singular; there, it
- * is the mesh of a slightly lower level. Facets face the direction in which the field increases: points below the level
- * lie behind them.
+ * Each leaf cell is divided into subcells, and these into tetrahedra, which conform also where small leaves meet larger
+ * leaves. Each tetrahedron that the level set intersects yields one or two triangles (*marching tetrahedra*). By
+ * construction, the mesh is closed and 2-manifold across leaves of all sizes, and also where the level set is singular;
+ * there, it is the mesh of a slightly lower level. The normals of facets point in the direction in which the field
+ * increases.
  *
  * Vertices lie on the level set up to rounding. They are kept away from the ends of the tetrahedra's edges by about a
- * thousand roundings of the coordinates, so that no two vertices coincide. Facets may be that small: write coordinates
- * with all digits. Parts of the level set that lie within one tetrahedron, or closer together, may be missed or joined.
+ * thousand roundings of the coordinates, so that no two vertices coincide. Because facets may be that small,
+ * coordinates must be written with all digits. Parts of the level set that are smaller than a tetrahedron may be
+ * missed, and parts that are closer together may be joined.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam Field a model of `BsplineField_3`, with a `Cell_complex_3` or a `Cell_hierarchy_3`
  * \tparam Level a number type, or a model of `ShellThreshold`
  * \tparam TriangleMesh a model of `MutableFaceGraph`
- * \tparam NamedParameters a sequence of named parameters
+ * \tparam NamedParameters a sequence of \ref BsplineShell3NamedParameters "named parameters"
  *
  * \param field the field
- * \param level the level, in units of the field; or a threshold on the same cells
+ * \param level a value of the field, or a threshold on the same cells
  * \param out the mesh to which the level set is added; unchanged if there is nothing to add
  * \param np optional named parameters:
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{filter}
  *       \cgalParamDescription{a functor `bool(Field::Cell_index)` that selects the cells to use, and thus the
- *         components of a level set by the cells that they pass. Pass `std::cref(filter)` to avoid a copy.}
+ *         components of a level set in these cells; it is copied unless it is passed by `std::cref()`}
  *       \cgalParamDefault{all cells}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{skip_open_components}
- *       \cgalParamDescription{whether components of the level set that leave the selected cells are omitted. If all
- *         components leave, there is no mesh.}
+ *       \cgalParamDescription{whether components of the level set that leave the selected cells are omitted; otherwise,
+ *         such a component makes the extraction fail. If all components leave the cells, there is no mesh.}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
@@ -82,15 +83,15 @@ struct All_cells
  *       \cgalParamDefault{2}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{vertex_point_map}
- *       \cgalParamDescription{as in other \cgal packages}
+ *       \cgalParamDescription{a property map from the vertices of `out` to their points}
  *       \cgalParamDefault{`get(CGAL::vertex_point, out)`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
  *
  * \return `SUCCESS`, or the reason why there is no mesh
  * \pre `subdivision_ratio` is at least 1 and at most 256
- * \cgalHeading{Cost} Linear in the number of cells, and in the number of subcells of the cells that the level set may
- *   pass. No cell is subdivided more than its own size requires.
+ * \cgalHeading{Cost} Linear in the number of cells and in the number of subcells of the cells that the level set may
+ *   intersect.
  */
 template <typename ConcurrencyTag = Sequential_tag, typename Field, typename Level, typename TriangleMesh,
           typename CGAL_NP_TEMPLATE_PARAMETERS>

@@ -38,7 +38,7 @@ namespace Bspline_shells {
 
 namespace internal {
 
-// Returns the point where a path on which the field minus the threshold increases passes the threshold.
+// Returns the point where the field equals the threshold on a path along which their difference increases.
 template <typename Field, typename Threshold>
 std::array<double, 3> crossing_of_path(const Field& field, const Threshold& threshold, const Crossing_path& path)
 {
@@ -52,8 +52,8 @@ std::array<double, 3> crossing_of_path(const Field& field, const Threshold& thre
   return middle;
 }
 
-// Keeps the components of a soup that paths pass from behind: each path at the triangle closest to the point where it
-// passes the threshold. Returns `false` if a path passes no component, or two paths pass the same one.
+// Keeps the components of a soup that paths cross from behind: each path at the triangle closest to the point where it
+// crosses the threshold. Returns `false` if a path crosses no component, or if two paths cross the same component.
 template <typename Field, typename Threshold>
 bool keep_components_on_paths(const Field& field, const Threshold& threshold, const std::vector<Crossing_path>& paths,
                               std::vector<Soup_components::Point>& points,
@@ -70,13 +70,14 @@ bool keep_components_on_paths(const Field& field, const Threshold& threshold, co
     double distance = std::numeric_limits<double>::infinity();
     std::size_t triangle = 0;
   };
-  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // the rounding mode of exact predicates
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // required by exact predicates
   const auto point = [](const std::array<double, 3>& p) { return Point_3(p[0], p[1], p[2]); };
   const auto corners = [&](std::size_t n) {
     const Soup_components::Triangle& t = triangles[n];
     return std::array<Point_3, 3>{ point(points[t[0]]), point(points[t[1]]), point(points[t[2]]) };
   };
-  // Triangles are not exactly on the level and may be beyond the ends of a path, so paths are made three times as long.
+  // Triangles are not exactly on the threshold and may be beyond the ends of a path, so paths are made three times as
+  // long.
   std::vector<std::array<Point_3, 2> > lines;
   std::vector<Point_3> crossings;
   std::vector<Box> segments, boxes;
@@ -127,43 +128,42 @@ bool keep_components_on_paths(const Field& field, const Threshold& threshold, co
  * \brief extracts a triangle mesh of the inner or the outer surface of a shell, like `extract_level_set()` for a level
  * set.
  *
- * Where thresholds vary, other parts of the level set may pass through the same cells. The cover and the paths by
- * which the shell is certified exclude them. The mesh is closed and 2-manifold. It has one component for each component
- * of the shell. Cells are subdivided where they separate parts of the level set.
+ * Where thresholds vary, other parts of the level set may pass through the same cells; they are excluded by the cover
+ * and the paths with which the shell was certified. The mesh is closed and 2-manifold, and has one component for each
+ * component of the shell. Cells are split where this is necessary to separate parts of the level set.
  *
  * If the shell has a cover (`Bspline_shell_3::proved_cover()`) but is not certified, the mesh contains all parts of the
  * level set in the cover. Without a cover, it contains the closed parts in `Bspline_shell_3::shell_cells()`; if
  * thresholds are constant, all parts there must be closed.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam Field a model of `BsplineField_3`, with a `Cell_complex_3` or a `Cell_hierarchy_3`
  * \tparam Threshold a model of `ShellThreshold`
  * \tparam TriangleMesh a model of `MutableFaceGraph`
- * \tparam NamedParameters a sequence of named parameters
+ * \tparam NamedParameters a sequence of \ref BsplineShell3NamedParameters "named parameters"
  *
  * \param shell the shell
  * \param threshold `Bspline_shell_3::inner_threshold()`, `Bspline_shell_3::outer_threshold()`, or a threshold between
- *   both
+ *   these
  * \param out the mesh to which the surface is added; unchanged if there is nothing to add
  * \param np optional named parameters:
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{subdivision_ratio}
- *       \cgalParamDescription{number of subcells along each axis of a cell. If the shell is certified, it is doubled,
- *         up to 16, until the surfaces of all components are separated. Handles that are thinner than subcells may be
- *         missing or superfluous; if their number matters, choose a larger ratio.}
+ *       \cgalParamDescription{number of subcells along each axis of a cell. If the shell is certified, the number is
+ *         doubled, up to 16, until the surfaces of all components are separated. Handles thinner than subcells may be
+ *         missing or superfluous; if the genus matters, choose a larger ratio.}
  *       \cgalParamType{`int`}
  *       \cgalParamDefault{2}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{vertex_point_map}
- *       \cgalParamDescription{as in other \cgal packages}
+ *       \cgalParamDescription{a property map from the vertices of `out` to their points}
  *       \cgalParamDefault{`get(CGAL::vertex_point, out)`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
  *
  * \return `SUCCESS`, or the reason why there is no mesh
  * \pre there is a shell; `subdivision_ratio` is at least 1 and at most 256
- * \cgalHeading{Cost} The cost of `extract_level_set()`, and of `CGAL::box_intersection_d()` for components and
- *   triangles.
+ * \cgalHeading{Cost} That of `extract_level_set()`, and of `CGAL::box_intersection_d()` for components and triangles.
  */
 template <typename ConcurrencyTag = Sequential_tag, typename Field, typename Threshold, typename TriangleMesh,
           typename CGAL_NP_TEMPLATE_PARAMETERS>

@@ -23,16 +23,16 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief interpolates values at the corners of a triangle linearly.
+ * \brief interpolates the values at the corners of a triangle linearly.
  *
- * Values may be numbers (integers are rounded), `std::array`s of numbers, `CGAL::IO::Color`s (rounded, by channel),
- * points of a kernel, and all types with `T + T` and `double * T`, such as vectors of a kernel and of Eigen.
+ * Values may be numbers (integers are rounded), `std::array`s of numbers, `CGAL::IO::Color`s (each channel is rounded),
+ * points of a kernel, and all types with `T + T` and `double * T`, such as vectors of a kernel or of Eigen.
  *
  * \cgalModels `AttributeInterpolation`
  */
 struct Barycentric_interpolation
 {
-  typedef std::array<double, 3> Weights; ///< barycentric coordinates; negative ones extrapolate
+  typedef std::array<double, 3> Weights; ///< barycentric coordinates; negative coordinates extrapolate
 
   template <typename T>
   T operator()(const std::array<T, 3>& v, const Weights& w) const

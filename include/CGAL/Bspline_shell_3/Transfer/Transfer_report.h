@@ -18,29 +18,29 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief reports the outcome of the transfer of an attribute.
+ * \brief the outcome of the transfer of an attribute. *Elements* are the vertices or facets of the target that receive
+ * values.
  */
 struct Transfer_report
 {
-  std::size_t transferred = 0; ///< number of simplices of the target with a value from the source
-  /// all other simplices, each with the reason: by their positions in `vertices(mesh)` or, for facets and their
-  /// corners, in `faces(mesh)`, in that order. They have the `default_value()` of the call, or keep their values if
-  /// there is none.
+  std::size_t transferred = 0; ///< number of elements of the target with a value from the source
+  /// all other elements, each with the reason, by ascending positions in `vertices(mesh)` or, for facets and their
+  /// corners, in `faces(mesh)`. They have the `default_value()` of the call, or keep their values if there is none.
   std::vector<std::pair<std::size_t, Flow_status> > failures;
-  /// open meshes: number of these simplices with values from the border of the source, because some of their curves
-  /// miss the source by less than the tolerance
+  /// open meshes: number of the transferred elements with values from the border of the source, because some of their
+  /// curves miss the source by less than the tolerance
   std::size_t snapped = 0;
-  /// soups and proxies: positions of simplices of the target whose values depend on continued images
+  /// soups and proxies: positions of elements whose values depend on images that are only nearest points
   /// (`Projected_point::is_continued`)
   std::vector<std::size_t> continued;
-  /// texture coordinates: positions of facets that lie across a seam. Corners beyond the seam, as seen from the facet's
-  /// centroid, are extrapolated from the centroid's side.
+  /// texture coordinates: positions of facets that lie across a seam. Corners that are separated from the facet's
+  /// centroid by the seam get values extrapolated from the centroid's side.
   std::vector<std::size_t> facets_across_seams;
-  /// averages: positions of vertices of the source that contribute to no average, because they have no image; each with
-  /// the reason
+  /// averages: positions of vertices of the source that do not contribute to an average, because they have no image;
+  /// each with the reason
   std::vector<std::pair<std::size_t, Flow_status> > left_out;
 
-  /// returns whether all simplices of the target have a value from the source
+  /// returns whether all elements have a value from the source
   explicit operator bool() const { return failures.empty(); }
 };
 

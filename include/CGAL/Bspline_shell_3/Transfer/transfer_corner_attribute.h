@@ -29,14 +29,14 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Finds the edges where the values at the corners of facets are continuous, and those where they jump.
+// Determines the edges across which the values at the corners of facets are continuous, and those where they jump.
 template <typename Target>
 class Seams
 {
 public:
   typedef typename Target::Index Index;
 
-  // `values` are by halfedge: at the corner of its face at its target.
+  // `values` belong to halfedges: a halfedge represents the corner of its face at its target.
   template <typename CornerMap>
   Seams(const Target& surface, CornerMap values) : m_surface(&surface), m_is_seam(3 * surface.number_of_facets())
   {
@@ -51,9 +51,9 @@ public:
   }
 
   // Returns whether the values are continuous from facet `f` to a facet with an area that contains a point of facet
-  // `g`. The point may be on an edge or at a vertex of `g`; the facet replaces `g`. Only neighbors of `f` are
-  // considered. If the two points are so close to each other that the path may also lead around a vertex, facets with a
-  // common vertex are considered, too.
+  // `g`. This facet, which replaces `g`, may be another facet if the point is on an edge or at a vertex of `g`. Only
+  // neighbors of `f` are considered and, if the path to the point is so short that it may also lead around a vertex,
+  // facets with a common vertex.
   bool go_on(Index f, Index& g, const std::array<double, 3>& barycentric, bool around_vertices) const
   {
     for(Index n : facets_at(g, barycentric))
@@ -78,7 +78,7 @@ private:
     for(int side = 0; side < 2; ++side)
       for(int i = 0; i < 3; ++i) {
         Index facet = f;
-        int edge = i; // leaves the vertex, or leads to it
+        int edge = i; // leaves the vertex or leads to it
         while(!m_is_seam[3 * facet + edge]) {
           const Index g = m_surface->neighbor(facet, edge);
           if(g == n) return true;
@@ -90,7 +90,7 @@ private:
     return false;
   }
 
-  // Returns the number of an edge in the facet on its other side.
+  // Returns the index of an edge in the facet on its other side.
   int opposite_edge(Index facet, int edge) const
   {
     const auto& mesh = m_surface->mesh();
@@ -140,15 +140,15 @@ private:
  * \brief transfers values at the corners of facets from the source to the target: texture coordinates, and other
  * attributes that jump at seams.
  *
- * Corners are represented by halfedges: a halfedge represents the corner of its face at its target. Seams are the edges
- * of the source where the values of the two facets differ. Seams are preserved: from the centroid of a facet of the
- * target to each of its corners, the source is followed from facet to facet. If this path meets a seam, the value at
- * the corner is extrapolated from there. The facet is thus mapped to one side of the seam, and not across the texture.
+ * A halfedge represents the corner of its face at its target vertex. Seams are the edges of the source where the values
+ * of the two facets differ. Facets of the target are not stretched across a seam: the source is followed from facet to
+ * facet along a path from the centroid of a facet of the target to each of its corners. If this path meets a seam, the
+ * value at the corner is extrapolated from there, so that the whole facet has values of one side of the seam.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
- * \tparam Map a `Shell_map_3`
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
+ * \tparam Map a `Shell_map_3` or a `Soup_map_3`
  * \tparam SourceCornerMap a model of `ReadablePropertyMap` from halfedges of the source, whose values can be compared
- *   for equality. It may be read by several threads at once.
+ *   for equality. It may be read concurrently.
  * \tparam TargetCornerMap a model of `WritablePropertyMap` from halfedges of the target
  * \param map the map from the source to the target
  * \param source_values the values of the source
@@ -160,7 +160,7 @@ private:
  *       \cgalParamDefault{`Barycentric_interpolation`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{default_value}
- *       \cgalParamDescription{value of all corners of facets without values from the source; by default, they keep
+ *       \cgalParamDescription{value for all corners of facets without values from the source; by default, they keep
  *         their values}
  *       \cgalParamType{the value type of the target map}
  *     \cgalParamNEnd
@@ -168,8 +168,9 @@ private:
  *       \cgalParamDescription{a model of `FlowVisitor`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
- * \return the facets without values from the source, each with the reason; and the facets that lie across seams
- * \cgalHeading{Cost} For each facet, four points are moved if it meets few facets of the source, and more near seams.
+ * \return a report with the facets without values from the source, each with the reason, and the facets that lie across
+ *   seams; it converts to `true` if all facets have values
+ * \cgalHeading{Cost} Four points are moved for a facet that meets few facets of the source, and more near seams.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceCornerMap,
           typename TargetCornerMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -201,7 +202,7 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
   }
   const internal::Seams<Source> seams(source, source_values);
 
-  // The origin of the value of a corner: weights of the corners of a facet of the source.
+  // The origin of the value at a corner: a facet of the source, and the weights of its corners.
   struct Corner
   {
     Index facet;
@@ -251,7 +252,7 @@ Transfer_report transfer_corner_attribute(const Map& map, SourceCornerMap source
     const Coordinates q = { image.point[0], image.point[1], image.point[2] };
     result.corners[corner] = { facet, source.position(facet, q).barycentric };
     if(t == 1) return;
-    // Beyond the seam, values are linear, by the differential of the inverse map on this side.
+    // Beyond the seam, values are continued linearly by the differential of the inverse map on this side.
     result.across = true;
     const auto& normal = source.normal(facet);
     Flow_differential d = image.is_continued ? internal::orthogonal_differential(normal)

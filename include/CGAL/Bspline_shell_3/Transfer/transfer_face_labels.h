@@ -29,14 +29,14 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief transfers labels of facets from the source to the target, such as materials, parts and boundary conditions.
- * Each facet of the target gets the label that most of it has on the source.
+ * \brief transfers labels of facets from the source to the target, such as materials, parts, and boundary conditions.
+ * Each facet of the target gets the most frequent label of its image on the source.
  *
- * A facet is sampled at the centroids of the equal triangles into which it is cut. It gets the most frequent label;
- * among equals, that of the facet's centroid, or else the first one.
+ * A facet is sampled at the centroids of the equal triangles into which it is divided. Among labels that are equally
+ * frequent, it gets that of the facet's centroid if possible, and otherwise the first one.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
- * \tparam Map a `Shell_map_3`
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
+ * \tparam Map a `Shell_map_3` or a `Soup_map_3`
  * \tparam SourceLabelMap a model of `ReadablePropertyMap` from faces of the source to labels that can be compared for
  *   equality
  * \tparam TargetLabelMap a model of `WritablePropertyMap` from faces of the target
@@ -46,21 +46,21 @@ namespace Bspline_shells {
  * \param np optional named parameters
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{samples_per_facet}
- *       \cgalParamDescription{least number of samples, rounded up to the next square. With 1, the label is that at the
- *         centroid.}
+ *       \cgalParamDescription{smallest number of samples, rounded up to the next square. With 1, the label is that at
+ *         the centroid.}
  *       \cgalParamType{`std::size_t`}
  *       \cgalParamDefault{4}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{default_value}
- *       \cgalParamDescription{value of facets without a label from the source; by default, they keep their labels}
+ *       \cgalParamDescription{value for facets without a label from the source; by default, they keep their labels}
  *       \cgalParamType{the value type of the target map}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
  *       \cgalParamDescription{a model of `FlowVisitor`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
- * \return the facets without a label from the source, because none of their samples has an image; each with the reason
- *   for its centroid
+ * \return a report with the facets without a label from the source, because none of their samples has an image, each
+ *   with the reason for its centroid; it converts to `true` if there are none
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceLabelMap,
           typename TargetLabelMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -74,7 +74,7 @@ Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_label
   auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
   const std::size_t wanted = choose_parameter(get_parameter(np, parameter_tags::samples_per_facet), std::size_t(4));
 
-  // The centroid comes first. If it is not the centroid of a part, it has no vote.
+  // The centroid comes first. If it is not the centroid of a part, it does not vote.
   const int parts = internal::parts_along_edge(wanted);
   std::vector<std::array<double, 3> > samples = internal::centroids_of_parts(parts);
   const bool has_centroid = parts % 3 != 0;

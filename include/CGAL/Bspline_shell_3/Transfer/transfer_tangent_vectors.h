@@ -36,9 +36,9 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief maps tangent vectors at points of one surface to those of another, for `transfer_vertex_attribute()` with
- * `mapping()`. Images are tangent to the level sets of the field, so that they do not jump from facet to facet.
- * Components along the curve are lost.
+ * \brief maps tangent vectors of one surface to tangent vectors of another, as the parameter `mapping()` of
+ * `transfer_vertex_attribute()`. Images are tangent to the level sets of the field, so that they do not jump from facet
+ * to facet. Components along the curve are lost.
  */
 struct Tangent_vector_mapping
 {
@@ -53,9 +53,9 @@ struct Tangent_vector_mapping
 
 namespace internal {
 
-// Returns the vector whose rotations by 2 pi / N about the normal best fit the images of the N vectors of a symmetric
-// field. The fit is that of N-th powers. Of the rotations, the one closest to the image of the first vector is
-// returned. Its length is the geometric mean of theirs.
+// Returns the vector whose rotations by multiples of 2 pi / N about the normal best fit the images of the N vectors of
+// a symmetric field. The fit is that of N-th powers. Of the rotations, the one closest to the image of the first vector
+// is returned. Its length is the geometric mean of the lengths of the images.
 inline Eigen::Vector3d map_symmetric_vector(const Eigen::Matrix3d& differential, const Eigen::Vector3d& source_normal,
                                             const Eigen::Vector3d& target_normal, const Eigen::Vector3d& vector,
                                             int symmetry)
@@ -84,7 +84,7 @@ struct Tangent_sample
   bool is_continued = false, is_snapped = false;
 };
 
-// `prepare(differential)` converts the differential to that of the map to the target, and returns the normal of the
+// `prepare(differential)` converts the differential to that of the map onto the target, and returns the normal of the
 // plane of the image.
 template <typename Map, typename Point, typename Prepare>
 Tangent_sample tangent_sample(const Map& map, const Tangent_field& field, int symmetry, const Point& p,
@@ -125,20 +125,21 @@ std::vector<Eigen::Vector3d> eigen_vectors(VectorMap vectors, const Range& range
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief transfers tangent vectors of facets from the source to the target, by the differential of the map: vector
- * fields, line fields, cross fields and other fields that are symmetric under rotations.
+ * \brief transfers tangent vectors of facets from the source to the target by the differential of the map: vector
+ * fields, line fields, cross fields, and other fields that are symmetric under rotations.
  *
- * The vector of a facet of the target is the image of the vector of the source where the curve through the facet's
- * centroid meets it. The image lies in the facet's plane. A symmetric field is given by one of its vectors for each
- * facet. All of its vectors are mapped; as their images need not be symmetric, the symmetric vectors that fit them best
- * are returned.
+ * A facet of the target gets the image of the vector of the source at the point where the curve through the facet's
+ * centroid meets the source. The image lies in the facet's plane. A symmetric field is given by one of its vectors for
+ * each facet. All of its vectors are mapped; because their images need not be symmetric, the symmetric vectors that fit
+ * them best are used.
  *
- * Between meshes of different resolution, much detail is lost. To a *coarser* mesh, `samples_per_facet` averages the
- * vectors that a facet covers. To a *finer* mesh, `linear_reconstruction` computes a linear field from the vectors of a
- * facet and its neighbors. Otherwise, all facets that come from the same facet have one vector.
+ * Two parameters preserve more detail between meshes of different resolution. For a *coarser* target,
+ * `samples_per_facet` averages the vectors that a facet covers. For a *finer* target, `linear_reconstruction` computes
+ * a linear field from the vectors of a facet and its neighbors; without it, all facets whose centroids lie on the same
+ * facet of the source get the image of the same vector.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
- * \tparam Map a `Shell_map_3`
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
+ * \tparam Map a `Shell_map_3` or a `Soup_map_3`
  * \tparam SourceVectorMap a model of `ReadablePropertyMap` from faces of the source to vectors with `v[0]`, `v[1]`,
  *   `v[2]`
  * \tparam TargetVectorMap a model of `WritablePropertyMap` from faces of the target to vectors that are constructible
@@ -153,29 +154,30 @@ std::vector<Eigen::Vector3d> eigen_vectors(VectorMap vectors, const Range& range
  *       \cgalParamType{`int`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{samples_per_facet}
- *       \cgalParamDescription{least number of samples, rounded up to the next square, at the centroids of equal parts
- *         of the target's facet. The facet gets their mean: for a symmetric field, that of the N-th powers, with the
- *         mean length.}
+ *       \cgalParamDescription{smallest number of samples, rounded up to the next square, at the centroids of equal
+ *         parts of the target's facet. The facet gets their mean: for a symmetric field, that of the N-th powers, with
+ *         the mean length.}
  *       \cgalParamType{`std::size_t`}
  *       \cgalParamDefault{1}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{linear_reconstruction}
  *       \cgalParamDescription{whether the field is linear on each facet of the source (for a symmetric field, its N-th
- *         power, while the length is constant). The gradient fits the vectors of the facet's neighbors best, unfolded
- *         around common edges that are not sharper than 60 degrees.}
+ *         power is linear, and its length is constant). The gradient fits the vectors of the facet's neighbors best,
+ *         unfolded around common edges of at most 60 degrees.}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{default_value}
- *       \cgalParamDescription{value of facets without a vector from the source; by default, they keep their vectors}
+ *       \cgalParamDescription{value for facets without a vector from the source; by default, they keep their vectors}
  *       \cgalParamType{the value type of the target map}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
  *       \cgalParamDescription{a model of `FlowVisitor`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
- * \return the facets without a vector from the source, because none of their samples has one; each with the reason for
- *   its first sample. A facet without an area has none, as it has no normal.
+ * \return a report with the facets without a vector from the source, because none of their samples has one, each with
+ *   the reason for its first sample; it converts to `true` if there are none. A facet without an area gets no vector,
+ *   because it has no normal.
  * \pre `symmetry` is positive
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceVectorMap,
@@ -249,13 +251,13 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
  * \brief transfers tangent vectors of vertices from the source to the target, like `transfer_tangent_vectors()`, for
  * fields that are given at vertices and interpolated between them.
  *
- * In each facet of the source, the vectors of its vertices are rotated into its plane the shortest way from the
- * vertex's normal, which is the mean of the facets' normals, weighted by angles. The rotated vectors are interpolated;
- * for a symmetric field, as N-th powers. Images are tangent to the level set of the shell's field through the target's
- * vertex, so that they do not depend on the target's facets.
+ * In each facet of the source, the vectors of its vertices are rotated into its plane by the smallest rotation from the
+ * vertex's normal. This normal is the mean of the facets' normals, weighted by angles. The rotated vectors are
+ * interpolated; for a symmetric field, as N-th powers. Images are tangent to the level set of the shell's field through
+ * the target's vertex, so that they do not depend on the target's facets.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
- * \tparam Map a `Shell_map_3`
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
+ * \tparam Map a `Shell_map_3` or a `Soup_map_3`
  * \tparam SourceVectorMap a model of `ReadablePropertyMap` from vertices of the source to vectors with `v[0]`, `v[1]`,
  *   `v[2]`
  * \tparam TargetVectorMap a model of `WritablePropertyMap` from vertices of the target to vectors that are
@@ -270,14 +272,15 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
  *       \cgalParamType{`int`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{default_value}
- *       \cgalParamDescription{value of vertices without a vector from the source; by default, they keep their vectors}
+ *       \cgalParamDescription{value for vertices without a vector from the source; by default, they keep their vectors}
  *       \cgalParamType{the value type of the target map}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
  *       \cgalParamDescription{a model of `FlowVisitor`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
- * \return the vertices without a vector from the source, each with the reason
+ * \return a report with the vertices without a vector from the source, each with the reason; it converts to `true` if
+ *   there are none
  * \pre `symmetry` is positive
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceVectorMap,

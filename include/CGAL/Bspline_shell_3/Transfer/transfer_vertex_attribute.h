@@ -32,19 +32,20 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief transfers values of vertices from the source to the target: scalars, colors, vectors, displacements, and
- * anything else that can be interpolated.
+ * \brief transfers values of vertices from the source to the target: scalars, colors, vectors, displacements, and other
+ * values that can be interpolated.
  *
- * A vertex gets the value of the source where its curve meets it, interpolated from the three corners of the facet. If
- * there is a `mapping()`, this value and the differential of the map are passed to it. Values are sampled, which does
- * not preserve integrals. If the source has far more vertices than the target, `average_vertex_attribute()` loses less.
- * The property maps are read and written by the calling thread.
+ * A vertex of the target gets the value at the point where the integral curve through the vertex meets the source,
+ * interpolated from the three corners of the facet there. If `mapping()` is given, it converts this value by the
+ * differential of the map; for example, it turns vectors as the map does. Values are sampled, which does not preserve
+ * integrals. If the source has far more vertices than the target, `average_vertex_attribute()` loses less detail. The
+ * property maps are read and written only by the calling thread.
  *
- * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the result is the same
- * \tparam Map a `Shell_map_3`
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
+ * \tparam Map a `Shell_map_3` or a `Soup_map_3`
  * \tparam SourceValueMap a model of `ReadablePropertyMap` from vertices of the source
- * \tparam TargetValueMap a model of `WritablePropertyMap` from vertices of the target, whose facets need not be
- *   triangles
+ * \tparam TargetValueMap a model of `WritablePropertyMap` from vertices of the target. Here, the facets of the target
+ *   need not be triangles, although `Shell_map_3::status()` is then `INVALID_MESH`.
  * \param map the map from the source to the target; its inverse transfers in the other direction
  * \param source_values the values of the source
  * \param target_values receives the values of the target
@@ -55,19 +56,20 @@ namespace Bspline_shells {
  *       \cgalParamDefault{`Barycentric_interpolation`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{mapping}
- *       \cgalParamDescription{`F()(value, differential)` with the `Flow_differential` from the source to the target; by
- *         default, values are not changed}
+ *       \cgalParamDescription{a function that is called as `mapping(value, differential)`, with the `Flow_differential`
+ *         from the source to the target, and returns the value for the vertex; by default, values are not changed}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{default_value}
- *       \cgalParamDescription{value of vertices without a value from the source; by default, they keep their values}
+ *       \cgalParamDescription{value for vertices without a value from the source; by default, they keep their values}
  *       \cgalParamType{the value type of the target map}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
  *       \cgalParamDescription{a model of `FlowVisitor`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
- * \return the vertices without a value from the source, each with the reason
- * \cgalHeading{Cost} A few microseconds per vertex and core; with `mapping()`, about twice as much.
+ * \return a report with the vertices without a value from the source, each with the reason; it converts to `true` if
+ *   there are none
+ * \cgalHeading{Cost} A few microseconds of processor time per vertex; with `mapping()`, about twice as much.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceValueMap,
           typename TargetValueMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -116,15 +118,16 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
 /*!
  * \ingroup PkgBsplineShell3Transfer
  *
- * \brief transfers values of vertices from the source to the target, and gives each vertex of the target the average of
- * the values that arrive on its facets.
+ * \brief transfers values of vertices from the source to the target, as averages: each vertex of the target gets the
+ * mean of the values of the source's vertices whose images lie on its facets.
  *
- * Each value is distributed to the three corners of the facet on which it arrives, by its barycentric coordinates and
- * the area of the source around its vertex. Vertices of the target at which no value arrives get the value that
- * `transfer_vertex_attribute()` gives them.
+ * Each vertex of the source is mapped to a facet of the target, and contributes its value to the three corners of this
+ * facet. Its weight at a corner is the barycentric coordinate of the image, multiplied by the area around the vertex on
+ * the source. Averages of integers are rounded. Vertices of the target without contributions get the value of
+ * `transfer_vertex_attribute()`.
  *
- * \tparam Map a `Shell_map_3`
- * \tparam SourceValueMap a model of `ReadablePropertyMap` from vertices of the source, to values with `T + T` and
+ * \tparam Map a `Shell_map_3` or a `Soup_map_3`
+ * \tparam SourceValueMap a model of `ReadablePropertyMap` from vertices of the source to values with `T + T` and
  *   `double * T`
  * \tparam TargetValueMap a model of `WritablePropertyMap` from vertices of the target
  * \param map the map from the source to the target
@@ -133,15 +136,15 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
  * \param np optional named parameters
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{default_value}
- *       \cgalParamDescription{value of vertices without a value from the source; by default, they keep their values}
+ *       \cgalParamDescription{value for vertices without a value from the source; by default, they keep their values}
  *       \cgalParamType{the value type of the target map}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
  *       \cgalParamDescription{a model of `FlowVisitor`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
- * \return the vertices of the target without a value (all of them, if the visitor stopped). Integers are rounded.
- *   Vertices of the source without an image are left out, and listed, too.
+ * \return a report with the vertices of the target without a value (all vertices if the visitor stopped), and the
+ *   vertices of the source that do not contribute, because they have no image
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceValueMap,
           typename TargetValueMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -180,7 +183,7 @@ Transfer_report average_vertex_attribute(const Map& map, SourceValueMap source_v
     area[position[c]] += internal::norm(n) / 6;
   }
   const std::vector<std::size_t> target_position = internal::positions_of_corners(target);
-  // Numbers are summed as doubles: integers would lose their fractions each time.
+  // Numbers are summed as doubles, because integers would lose their fractions in each sum.
   typedef std::conditional_t<std::is_arithmetic<Value>::value, double, Value> Sum;
   std::vector<std::optional<Sum> > sum(target.traced_vertices().size());
   std::vector<double> weight(sum.size(), 0);

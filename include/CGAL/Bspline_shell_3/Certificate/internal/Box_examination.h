@@ -24,13 +24,13 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Examines a box by the field and the thresholds on it alone. It determines whether the box is excluded from the shell,
-// or has no critical point in the shell, and how steep the field is.
+// Examines a box with only the field and the thresholds on it: whether the box is excluded from the shell, or has no
+// critical point in the shell, and how steep the field is.
 template <typename Threshold>
 class Box_examination
 {
 public:
-  // The field and, unless the thresholds are constant, its differences to both thresholds.
+  // The field and, unless the thresholds are constant, its differences from the two thresholds.
   typedef std::array<Enclosed_tricubic, Threshold::is_constant ? 1 : 3> Functions;
 
   Box_examination(const Threshold& inner, const Threshold& outer) : m_inner(inner), m_outer(outer) {}
@@ -48,7 +48,7 @@ public:
     return functions;
   }
 
-  // Returns true if all of a box is certainly in the shell.
+  // Returns whether all of a box is proved to lie between the thresholds.
   bool are_between_thresholds(const Functions& functions) const
   {
     if constexpr(Threshold::is_constant) {
@@ -57,7 +57,7 @@ public:
     } else return functions[1].range().min >= 0 && functions[2].range().max <= 0;
   }
 
-  // Returns true if all of a face, an edge or a vertex of a box is certainly outside the shell.
+  // Returns whether all of a face, an edge, or a vertex of a box is proved to be outside the shell.
   bool is_excluded_towards(const std::array<int, 3>& direction, const Functions& functions) const
   {
     if constexpr(Threshold::is_constant) {
@@ -66,7 +66,7 @@ public:
     } else return functions[1].range_towards(direction).max < 0 || functions[2].range_towards(direction).min > 0;
   }
 
-  // Finds the kind of a box, and its proof.
+  // Determines the kind of a box, and its proof.
   void examine(const Functions& functions, Cover_box& box) const
   {
     bool meets_inner = false, meets_outer = false;
@@ -80,7 +80,8 @@ public:
       meets_outer = outer.max >= 0;
     }
     if(box.kind == Box_kind::EXCLUDED) return;
-    // Where the shell ends, the field must cross the threshold. It suffices that the threshold is less steep.
+    // At a threshold, the difference between field and threshold must increase along curves. It suffices that the
+    // threshold is less steep than the field.
     double steepest = 0;
     if constexpr(!Threshold::is_constant)
       for(int side = 1; side < 3; ++side)
@@ -101,8 +102,8 @@ public:
     }
   }
 
-  // Returns true if critical points in a box seem to be in the shell, and parts of the box would not bound their values
-  // much better.
+  // Returns whether critical points in a box seem to be in the shell, and parts of the box would not give much better
+  // bounds on their values.
   bool seems_critical(const Functions& functions) const
   {
     constexpr double near = 0.1, close = 0.2, level = 1. / 32;
@@ -115,8 +116,9 @@ public:
     return values.max - values.min < close * (std::max)(values.min, -values.max);
   }
 
-  // Returns a lower bound of the length of the gradient in the shell, per unit of the box, which is not undecided. It
-  // bounds the derivative along the direction of the box or a better one, or towards the center of the box.
+  // Returns a lower bound of the length of the gradient in the shell, per unit of the box, for a box that is not
+  // undecided. It bounds the derivative along the direction of the box or a better one, or toward the center of the
+  // box.
   double gradient_bound(const Functions& functions, const Cover_box& box) const
   {
     const Enclosed_tricubic& f = functions[0];
@@ -132,8 +134,8 @@ public:
     return bound;
   }
 
-  // Returns the length of the gradient in the middle of a box, per unit of the box. If the middle is not in the shell,
-  // returns infinity. Not rigorous.
+  // Returns the length of the gradient in the middle of a box, per unit of the box, or infinity if the middle is not in
+  // the shell. Not rigorous.
   double gradient_in_the_middle(const Functions& functions) const
   {
     const auto middle = [](const Enclosed_tricubic& f) {
@@ -154,7 +156,7 @@ public:
   }
 
 private:
-  // Returns a lower bound of how far the field is beyond a threshold at all critical points in a box.
+  // Returns a lower bound of the difference by which the field is beyond a threshold at all critical points in a box.
   double beyond_threshold(const Functions& functions, Box_kind kind, const std::array<double, 3>& center) const
   {
     const bool below = kind == Box_kind::CRITICAL_BELOW;
@@ -175,7 +177,7 @@ private:
     return (1 + 4 * rounding) * length_bound(farthest);
   }
 
-  // Returns the means of the thresholds on a box; not rigorous.
+  // Returns the means of the thresholds on a box. Not rigorous.
   Level_range mean_thresholds(const Functions& functions) const
   {
     if constexpr(Threshold::is_constant) return { m_inner.level(), m_outer.level() };

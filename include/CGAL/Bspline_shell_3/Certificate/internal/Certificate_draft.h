@@ -36,10 +36,10 @@ inline Certificate_witness witness(Claim claim, Verdict verdict, Certificate_wit
   return w;
 }
 
-// A report that is being written. Claims that were not examined are undecided.
+// A report under construction. Claims that were not examined are undecided.
 struct Certificate_draft : Certificate_report
 {
-  // Sets the claim to proved. Witnesses lower the verdict.
+  // Sets the claim to proved; witnesses lower the verdict.
   void begin(Claim claim) { verdicts[std::size_t(claim)] = Verdict::PROVED; }
 
   // Lowers the claim's verdict.

@@ -22,7 +22,7 @@ struct Examined_shell
   const Threshold &inner, &outer;
   const Field_predicates_3<Field>& predicates;
 
-  // Returns whether the segment between two points certainly lies between the thresholds.
+  // Returns whether the segment between two points is proved to lie between the thresholds.
   bool contains(const typename Field::Point_3& p, const typename Field::Point_3& q) const
   {
     return predicates.values_within(std::array<typename Field::Point_3, 2>{ p, q }, inner, outer) == Verdict::PROVED;

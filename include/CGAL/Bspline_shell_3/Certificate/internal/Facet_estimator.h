@@ -18,17 +18,17 @@ namespace internal {
 
 enum class Facet_estimate
 {
-  CLEAR,        // inside the shell and facing along the gradient, by all samples: not a proof
+  CLEAR,        // in the shell and facing along the gradient, as estimated from samples
   LEAVES_SHELL, // leaves the shell at a sample
-  FACES_AWAY,   // faces away at a sample
+  FACES_AWAY,   // does not face along the gradient at a sample
   DOUBTFUL
 };
 
 // Estimates the result of Second_order_bounds_3 on a triangle, in a few tenths of its time. Values and gradients at the
-// corners of a part define a cubic triangle, whose Bernstein coefficients bound the margins. Slopes at corners and
-// middles of edges define a quadratic one. The errors of the bounds are estimated by the deviation of the cubics at the
-// middles, and by the bend of the slopes. If a part is larger than some cells, these are multiplied by its area. Parts
-// are bisected until the bounds suffice.
+// corners of a part define a cubic triangle, whose Bernstein coefficients bound the margins; slopes at corners and
+// middles of edges define a quadratic triangle. The errors of these bounds are estimated from the deviation of the
+// cubics at the middles, and from the bend of the slopes. If a part is larger than a few cells, the estimated errors
+// are multiplied by its area. Parts are bisected until the bounds suffice.
 template <typename Bounds>
 class Facet_estimator
 {
@@ -41,7 +41,7 @@ public:
   typedef std::array<const Sample*, 3> Samples;
 
   // \param corners samples of the corners
-  // \param middles samples of the middles of edges, by the number of the opposite corner; null where they are not known
+  // \param middles samples of the middles of edges, by the index of the opposite corner; null where they are unknown
   Facet_estimate operator()(const Samples& corners, const Samples& middles = {})
   {
     for(const Sample* s : corners) {
@@ -54,8 +54,8 @@ public:
 
 private:
   static constexpr int most_bisections = 512;
-  // Extents in cells: few points suffice for a part up to the first one, and are useless for a part beyond the second
-  // one.
+  // Extents in cells: few points suffice for a part up to the first extent, and are useless for a part beyond the
+  // second.
   static constexpr double small_extent = 8, large_extent = 24;
   static constexpr double safety = 2;         // margins of small parts, relative to the error of the cubics
   static constexpr double slope_safety = 0.5; // slopes, relative to their bend
@@ -66,7 +66,7 @@ private:
   };
   static Edge edge(const Samples& corners, std::size_t v) { return { *corners[(v + 1) % 3], *corners[(v + 2) % 3] }; }
 
-  // Returns the estimate by one sample.
+  // Returns the estimate from one sample.
   Facet_estimate at(const Sample& s) const
   {
     if(s.cell == Bounds::no_cell || !(s.above > 0 && s.below > 0)) return Facet_estimate::LEAVES_SHELL;
@@ -116,7 +116,7 @@ private:
       const Sample& middle = *middles[v];
       const Facet_estimate there = at(middle);
       if(there != Facet_estimate::CLEAR) return there;
-      // Thresholds vary little, so the margins rise and fall with the field.
+      // Thresholds vary little, so the margins increase and decrease with the field.
       const double rise_p = Bounds::slope(e.p, along[v]), rise_q = Bounds::slope(e.q, along[v]);
       const double above_p = e.p.above + rise_p / 3, above_q = e.q.above - rise_q / 3;
       const double below_p = e.p.below - rise_p / 3, below_q = e.q.below + rise_q / 3;
@@ -145,7 +145,7 @@ private:
   {
     if(m_bisections_left == 0) return Facet_estimate::DOUBTFUL;
     --m_bisections_left;
-    const Sample between = m_bounds.sample_middle(*corners[top], middle); // middle of the edge of both halves
+    const Sample between = m_bounds.sample_middle(*corners[top], middle); // middle of the common edge of the two halves
     for(std::size_t end : { 1, 2 }) {
       const std::size_t replaced = (top + end) % 3, kept = (top + 3 - end) % 3;
       Samples half = corners, known_of_half = {};

@@ -46,10 +46,10 @@ struct Component_paths
   }
 };
 
-// Examines whether the components of the mesh are those of the certified shell. All meshes for which this is proved
-// are mapped onto each other. Without paths through a shell, the mesh defines the components. A shell that is not
-// certified may have critical points away from the mesh, and a file may have any paths. So if such paths do not meet
-// a mesh, nothing is refuted.
+// Examines whether the components of the mesh are those of the certified shell. All meshes for which this is proved are
+// mapped onto each other. Without paths through a shell, the mesh defines the components. An uncertified shell may have
+// critical points away from the mesh, and a file may contain any paths, so nothing is refuted if such paths do not meet
+// a mesh.
 inline void examine_components(const Input_mesh_3& input, const Seeds& seeds, const Component_paths& shell,
                                Certificate_draft& draft)
 {
@@ -60,7 +60,7 @@ inline void examine_components(const Input_mesh_3& input, const Seeds& seeds, co
   }
   const Component_match match = match_components(shell.paths, input);
   draft.components = match.component_of_shell;
-  // Components that face along the gradient are counted with the same sign.
+  // Crossings of components that face along the gradient all have the same sign.
   const bool is_transversal = draft.verdict(Claim::TRANSVERSALITY) == Verdict::PROVED;
   bool is_known = is_transversal && shell.are_of_certificate;
   for(std::size_t k = 0; k < match.crossings.size(); ++k) {

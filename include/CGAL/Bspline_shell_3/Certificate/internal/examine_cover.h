@@ -37,7 +37,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The vertex of each component of a mesh from which the cover is flooded.
+// The vertex of each component of a mesh from which the flood fill of the cover starts.
 typedef std::vector<Input_mesh_3::Triangle_mesh::Vertex_index> Seeds;
 
 inline Seeds find_seeds(const Input_mesh_3& input)
@@ -59,8 +59,7 @@ struct Proved_cover
   double least_gradient = 0, largest_gradient = std::numeric_limits<double>::infinity();
 };
 
-// Returns an upper bound, by differences of coefficients, of the length of the gradient on a leaf cell, per user
-// unit.
+// Returns an upper bound of the length of the gradient on a leaf cell, from differences of coefficients.
 template <typename Field>
 double largest_gradient(const Field& field, typename Field::Cell_index c)
 {
@@ -72,8 +71,8 @@ double largest_gradient(const Field& field, typename Field::Cell_index c)
   return length_bound(greatest) / cell.width() * (1 + 16 * rounding) + std::numeric_limits<double>::denorm_min();
 }
 
-// Adopts the proved cover, if there is one and it contains all components of the mesh. Returns the components of the
-// mesh that share a component of the cover with an earlier one.
+// Adopts the proved cover if there is one and it contains all components of the mesh. Returns the components of the
+// mesh that share a component of the cover with an earlier component.
 template <typename Field, typename Threshold>
 std::optional<std::vector<typename Shell_cover_3<Field, Threshold>::Shared> > adopt_proved_cover(
   const Examined_shell<Field, Threshold>& shell, const Input_mesh_3::Triangle_mesh& mesh, const Seeds& seeds,
@@ -87,7 +86,7 @@ std::optional<std::vector<typename Shell_cover_3<Field, Threshold>::Shared> > ad
   return cover->adopt(*proved.boxes, points);
 }
 
-// Floods the cover from all components of the mesh.
+// Computes the cover by a flood fill from all components of the mesh.
 template <typename ConcurrencyTag, typename Field, typename Threshold>
 std::vector<typename Shell_cover_3<Field, Threshold>::Shared> find_cover(
   const Examined_shell<Field, Threshold>& shell, const Input_mesh_3& input, const Seeds& seeds,
@@ -111,8 +110,8 @@ std::vector<typename Shell_cover_3<Field, Threshold>::Shared> find_cover(
   return shared;
 }
 
-// Returns true if there certainly is a critical point in an undecided box, and in the shell: between the thresholds,
-// and joined to a vertex of the mesh by a segment between them.
+// Returns whether an undecided box is proved to contain a critical point in the shell: between the thresholds, and
+// joined to a vertex of the mesh by a segment between them.
 template <typename Field, typename Threshold>
 bool is_critical(const Examined_shell<Field, Threshold>& shell, const Shell_cover_3<Field, Threshold>& cover,
                  const Input_mesh_3::Triangle_mesh& mesh, const Cover_box& box, std::array<double, 3>& point)
@@ -125,7 +124,7 @@ bool is_critical(const Examined_shell<Field, Threshold>& shell, const Shell_cove
   const Bbox_3 b = cover.bbox(box);
   const double width = b.xmax() - b.xmin();
   for(int a = 0; a < 3; ++a) point[a] = (b.min)(a) + critical->center[a] * width;
-  // The whole box must be in the shell, as the critical point may be anywhere in it.
+  // The whole box must be between the thresholds, because the critical point may be anywhere in it.
   if(!cover.is_between_thresholds(box)) return false;
   const Triangle_mesh::Point p(point[0], point[1], point[2]);
   Triangle_mesh::Point nearest = p;

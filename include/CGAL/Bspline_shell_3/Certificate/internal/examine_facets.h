@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Returns a slope that some facet has, rounded. If facets are alike, it is not much above the least slope. No claim
-// depends on it; it only limits the range in which slopes must be bounded closely.
+// Returns a slope that some facet has, rounded. If facets are alike, it is not much larger than the smallest slope. No
+// claim depends on it; it only limits the range in which slopes must be bounded closely.
 template <typename Field, typename Threshold>
 double least_slope_at_some_corners(const Second_order_bounds_3<Field, Threshold>& bounds, const Input_mesh_3& input,
                                    const std::vector<Input_mesh_3::Triangle_mesh::Face_index>& triangles)
@@ -95,7 +95,7 @@ Facet_examination examine_facets(const Examined_shell<Field, Threshold>& shell,
         { samples(mesh.source(h), triangle[0]), samples(mesh.target(h), triangle[1]),
           samples(mesh.target(mesh.next(h)), triangle[2]) },
         facet_normal(triangle[0], triangle[1], triangle[2]), most_bisections,
-        (std::min)(slope_somewhere, result.least_slope)); // slopes above this need no close bound
+        (std::min)(slope_somewhere, result.least_slope)); // slopes above this value need no close bound
       Witness w;
       verdicts[n].containment = Verdict::PROVED;
       if(!found.is_contained) {
@@ -122,7 +122,7 @@ Facet_examination examine_facets(const Examined_shell<Field, Threshold>& shell,
     draft.statistics.transversality += result.transversality;
     examination.least_slope = (std::min)(examination.least_slope, result.least_slope);
   }
-  // A facet, and the mesh, has the worst verdict of its triangles. A facet without triangles is undecided.
+  // A facet has the worst verdict of its triangles, and so has the mesh. A facet without triangles is undecided.
   std::vector<Facet_verdict>& facets = examination.facets;
   facets.resize(input.number_of_facets_of_origin());
   std::vector<char> is_known(facets.size(), 0);

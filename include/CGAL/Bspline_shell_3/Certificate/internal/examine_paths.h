@@ -27,15 +27,16 @@ namespace Bspline_shells {
 namespace internal {
 
 inline constexpr std::size_t max_paths = 64; // paths tried for a component
-// Barycentric coordinates of the points at which paths pass facets; the first one for all facets, then the next.
+// Barycentric coordinates of the points at which paths pass through facets: the first point for all facets, then the
+// next.
 inline constexpr std::array<std::array<double, 3>, 4> path_points = {
   { { 1, 1, 1 }, { 2, 1, 1 }, { 1, 2, 1 }, { 1, 1, 2 } }
 };
 inline constexpr std::size_t max_spare_paths = 3; // per component
 
 // Returns the facets of a component through which paths are tried. Large facets, whose middles are far from edges,
-// alternate with facets from everywhere. The largest facets of a symmetric mesh may be copies of each other, and all
-// lie at creases, where gradients turn too fast for a straight path.
+// alternate with facets from all parts of the component. The largest facets of a symmetric mesh may be copies of each
+// other, and may all lie at creases, where gradients turn too fast for a straight path.
 inline std::vector<Input_mesh_3::Triangle_mesh::Face_index> path_facets(
   std::vector<std::pair<double, Input_mesh_3::Triangle_mesh::Face_index> >& facets)
 {
@@ -110,7 +111,8 @@ void examine_paths(const Examined_shell<Field, Threshold>& shell, const Input_me
     }
     if(verdict == Verdict::PROVED) {
       draft.paths.push_back(path);
-      // Spare paths lead through other points of the next facets: a mesh may have vertices in the middles of facets.
+      // Spare paths lead through other points of the next facets, because another mesh may have vertices in the middles
+      // of these facets.
       const std::size_t first = (n - 1) % candidates.size();
       const std::size_t end = (std::min)(first + max_spare_paths, candidates.size());
       for(std::size_t m = first; m < end; ++m)

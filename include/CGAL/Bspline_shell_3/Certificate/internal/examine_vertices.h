@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Finds the smallest cone margin, and the singular vertices.
+// Finds the smallest cone margin and the singular vertices.
 template <typename ConcurrencyTag>
 void examine_vertices(const Input_mesh_3& input, Certificate_draft& draft)
 {

@@ -14,11 +14,26 @@
 #include <cstdint>
 #include <limits>
 #include <queue>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
+
+// Returns bound(part) for the boxes of a cover, and infinity for boxes that are not part of it.
+template <typename ConcurrencyTag, typename Subdivision, typename Bound>
+std::vector<double> bounds_on_boxes(const Subdivision& subdivision, const std::vector<Cover_box>& boxes,
+                                    const Bound& bound)
+{
+  constexpr std::size_t chunk = 256;
+  std::vector<double> bounds(boxes.size(), std::numeric_limits<double>::infinity());
+  for_each_chunk<ConcurrencyTag>(boxes.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t n = begin; n < end; ++n)
+      if(boxes[n].component != Cover_box::no_component) bounds[n] = bound(subdivision.part(boxes[n]));
+  });
+  return bounds;
+}
 
 constexpr bool can_be_halved(const Cover_box& box)
 {
@@ -31,22 +46,21 @@ constexpr bool can_be_halved(const Cover_box& box)
 template <typename ConcurrencyTag, typename Subdivision>
 double least_gradient(const Subdivision& subdivision, const std::vector<Cover_box>& boxes)
 {
-  constexpr std::size_t max_subdivisions = 2000, at_once = 16, chunk = 256; // numbers of boxes
-  constexpr double near = 0.7;                                              // ratio of the bound to the gradient
+  constexpr std::size_t max_subdivisions = 2000, at_once = 16; // numbers of boxes
+  constexpr double near = 0.7;                                 // ratio of the bound to the gradient
   struct Bounded_box
   {
     double bound, in_the_middle;
     Cover_box box;
     bool operator<(const Bounded_box& other) const { return bound > other.bound; } // the least bound first
   };
-  std::priority_queue<Bounded_box> least(
-    {}, collect_from_chunks<ConcurrencyTag, Bounded_box>(
-          boxes.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<Bounded_box>& found) {
-            for(std::size_t n = begin; n < end; ++n)
-              if(boxes[n].component != Cover_box::no_component)
-                found.push_back({ subdivision.gradient_bound(subdivision.part(boxes[n])), 0, boxes[n] });
-          }));
-  if(least.empty()) return std::numeric_limits<double>::infinity();
+  const std::vector<double> bounds = bounds_on_boxes<ConcurrencyTag>(
+    subdivision, boxes, [&](const auto& part) { return subdivision.gradient_bound(part); });
+  std::vector<Bounded_box> bounded;
+  for(std::size_t n = 0; n < boxes.size(); ++n)
+    if(bounds[n] < std::numeric_limits<double>::infinity()) bounded.push_back({ bounds[n], 0, boxes[n] });
+  if(bounded.empty()) return std::numeric_limits<double>::infinity();
+  std::priority_queue<Bounded_box> least({}, std::move(bounded));
   double attained = subdivision.gradient_in_the_middle(subdivision.part(least.top().box));
   std::vector<Bounded_box> worst;
   for(std::size_t subdivisions = 0; subdivisions < max_subdivisions; subdivisions += worst.size()) {
@@ -97,13 +111,8 @@ template <typename ConcurrencyTag, typename Subdivision>
 std::vector<double> least_gradients(const Subdivision& subdivision, const std::vector<Cover_box>& boxes,
                                     std::size_t number_of_cells)
 {
-  constexpr std::size_t chunk = 64; // boxes
-  std::vector<double> on_boxes(boxes.size(), std::numeric_limits<double>::infinity());
-  for_each_chunk<ConcurrencyTag>(boxes.size(), chunk, [&](std::size_t begin, std::size_t end) {
-    for(std::size_t n = begin; n < end; ++n)
-      if(boxes[n].component != Cover_box::no_component)
-        on_boxes[n] = close_gradient_bound(subdivision, subdivision.part(boxes[n]), 0);
-  });
+  const std::vector<double> on_boxes = bounds_on_boxes<ConcurrencyTag>(
+    subdivision, boxes, [&](const auto& part) { return close_gradient_bound(subdivision, part, 0); });
   std::vector<double> bounds(number_of_cells, std::numeric_limits<double>::infinity());
   for(std::size_t n = 0; n < boxes.size(); ++n) bounds[boxes[n].cell] = (std::min)(bounds[boxes[n].cell], on_boxes[n]);
   return bounds;

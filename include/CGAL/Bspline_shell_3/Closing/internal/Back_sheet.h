@@ -25,12 +25,12 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// A reversed copy of the open components of a mesh, behind them, and strips that connect it to their borders. The copy
-// extends beyond the border by its distance behind the mesh: strips have a slope of 45 degrees, so that vertices of
-// flat tips and slits have facets that face a common direction. Where the border is twisted, strips may have to be
-// steeper.
+// A reversed copy of the open components of a mesh, placed behind them, with strips that connect it to their borders.
+// The copy extends beyond the border by as much as it lies behind the mesh. Strips therefore have a slope of 45
+// degrees, so that the facets at vertices of flat tips and slits face a common direction. Where the border is twisted,
+// strips may have to be steeper.
 //
-// Vertex n is a vertex of the mesh; its copy is n plus the number of vertices.
+// The copy of vertex n of the mesh is vertex n plus the number of vertices of the mesh.
 class Back_sheet
 {
   typedef Closing_mesh::Face_index Face_index;
@@ -78,8 +78,8 @@ public:
   // Returns the distance at a vertex or its copy.
   double distance(std::size_t n) const { return m_distance[n % m_size]; }
 
-  // Returns the copies of facets whose angle with the reversed facet has a cosine below `least_cosine`. The distance is
-  // too large for the curvature of the mesh there.
+  // Returns the copies whose angle with the reversed original facet has a cosine below `least_cosine`. There, the
+  // distance is too large for the curvature of the mesh.
   std::vector<Triangle> folded_triangles() const
   {
     constexpr double least_cosine = 0.3;
@@ -95,7 +95,7 @@ public:
     return folded;
   }
 
-  // Makes the strip steeper at a border vertex or its copy; returns false if it is upright or there is no strip.
+  // Makes the strip steeper at a border vertex or its copy. Returns false if the strip is upright or there is none.
   bool make_steeper(std::size_t n)
   {
     const std::size_t v = n % m_size;
@@ -124,7 +124,7 @@ public:
     return has_moved;
   }
 
-  // Returns the least distance.
+  // Returns the smallest distance.
   double least_gap() const
   {
     double least = std::numeric_limits<double>::infinity();
@@ -165,7 +165,7 @@ private:
     return result;
   }
 
-  // Places the copy of a vertex behind the planes of all its facets, by the distance, and beyond all its border edges.
+  // Places the copy of a vertex at the distance behind the planes of all its facets, and beyond all its border edges.
   void place(Vertex_index v, double offset, const Ray_tree& tree)
   {
     constexpr double least_margin = 0.3, least = 1. / 256, share_of_room = 0.4;
@@ -187,8 +187,8 @@ private:
     m_distance[v] = (std::max)((std::min)(offset, share_of_room * room / length(back)), least * offset);
   }
 
-  // Returns the vector whose scalar products with two unit vectors are one, shortened to `longest` if it is longer;
-  // zero if these are almost opposite.
+  // Returns the vector whose scalar products with two unit vectors are one, shortened to `longest` if necessary, or
+  // zero if the unit vectors are almost opposite.
   static Vector_3 mitre(const Vector_3& a, const Vector_3& b)
   {
     const Vector_3 sum = a + b;
@@ -223,7 +223,7 @@ private:
   std::size_t m_size;
   std::vector<Triangle> m_triangles;
   std::vector<double> m_distance; // by vertex; 0 where there is no back sheet
-  // Displacements of the copy for a distance of one: behind the facets, and beyond the border.
+  // Displacements of the copy for a distance of one, behind the facets and beyond the border.
   std::vector<Vector_3> m_back, m_beyond;
   std::vector<double> m_slope; // factors of `m_beyond`
   double m_offset;

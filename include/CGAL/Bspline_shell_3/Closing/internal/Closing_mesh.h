@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Queries on meshes to be closed, which have triangles only.
+// Queries on triangle meshes that are to be closed.
 
 typedef Input_mesh_3::Triangle_mesh Closing_mesh;
 typedef Exact_predicates_inexact_constructions_kernel Closing_kernel;
@@ -44,7 +44,7 @@ inline Closing_kernel::Vector_3 unit_normal(const Closing_mesh& mesh, Closing_me
   return v / length(v);
 }
 
-// Returns the axis of the cone of facets at a vertex, which may be on a border; its length is the margin.
+// Returns the axis of the cone of facets at a vertex, which may be on a border; its length is the cone margin.
 inline Closing_kernel::Vector_3 cone_axis_at(const Closing_mesh& mesh, Closing_mesh::Vertex_index v)
 {
   std::vector<Closing_kernel::Point_3> normals;
@@ -54,7 +54,8 @@ inline Closing_kernel::Vector_3 cone_axis_at(const Closing_mesh& mesh, Closing_m
   return Closing_kernel::Vector_3(axis[0], axis[1], axis[2]);
 }
 
-// Returns the unit vector in the plane of a border edge's facet that points away from the facet.
+// Returns the unit vector in the plane of a border edge's facet that is orthogonal to the edge and points away from the
+// facet.
 inline Closing_kernel::Vector_3 outward_conormal(const Closing_mesh& mesh, Closing_mesh::Halfedge_index border)
 {
   const auto h = mesh.opposite(border);
@@ -69,15 +70,16 @@ class Ray_tree : public AABB_tree<AABB_traits_3<Closing_kernel, AABB_face_graph_
 public:
   explicit Ray_tree(const Closing_mesh& mesh) : AABB_tree(mesh.faces().begin(), mesh.faces().end(), mesh) {}
 
-  // Returns the distance to the first facet in a direction that is not skipped; infinity if there is none.
+  // Returns the distance to the first facet in a direction, except for facets that `skip` selects, or infinity if there
+  // is none.
   template <typename Skip>
   double distance(const Closing_kernel::Point_3& p, const Closing_kernel::Vector_3& direction, const Skip& skip) const
   {
-    if(size() < 2) return std::numeric_limits<double>::infinity(); // a tree of one facet ignores `skip`
+    if(size() < 2) return std::numeric_limits<double>::infinity(); // with one facet, the tree would ignore `skip`
     const auto hit = first_intersection(Closing_kernel::Ray_3(p, direction), skip);
     if(!hit) return std::numeric_limits<double>::infinity();
     const auto* point = internal::get_if<Closing_kernel::Point_3>(hit->first);
-    return point ? std::sqrt(CGAL::squared_distance(p, *point)) : 0.; // the ray is in a facet's plane
+    return point ? std::sqrt(CGAL::squared_distance(p, *point)) : 0.; // the ray lies in a facet's plane
   }
 };
 

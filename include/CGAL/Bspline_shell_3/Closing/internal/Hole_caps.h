@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The holes of a mesh, with triangulations where possible. Facets and vertices of the mesh keep their numbers in the
-// capped mesh; those of caps follow.
+// The holes of a mesh, with their caps where possible. Facets and vertices of the mesh keep their indices in the capped
+// mesh; facets and vertices of caps follow.
 class Hole_caps
 {
   typedef Closing_mesh::Face_index Face_index;
@@ -38,12 +38,12 @@ class Hole_caps
 public:
   typedef std::vector<std::pair<Face_index, Face_index> > Facet_pairs;
 
-  // Requirements on caps; if they are not met, a back sheet is better.
+  // Requirements on caps. If a cap does not meet them, a back sheet is better.
   struct Requirements
   {
-    double margin; // least margin of the cones at the hole's border; half of the mesh's own margin is enough
-    // Least distance to other facets, behind and in front of each facet, in user units. Near the border, 1/8 of the
-    // distance from the border is enough.
+    double margin; // smallest cone margin at the hole's border; half of the mesh's own margin is enough
+    // Smallest distance to other facets, behind and in front of each facet, in the units of the coordinates. Near the
+    // border, 1/8 of the distance from the border is enough.
     double gap;
   };
 
@@ -69,10 +69,10 @@ public:
   {
     return std::any_of(m_holes.begin(), m_holes.end(), [](const Hole& hole) { return hole.triangles.empty(); });
   }
-  // Returns the least gap of a cap.
+  // Returns the smallest gap of a cap.
   double least_gap() const { return m_least_gap; }
 
-  // Replaces or removes caps that intersect other facets; returns false if there are none.
+  // Replaces or removes caps that intersect other facets. Returns whether there were any.
   bool replace(const Facet_pairs& intersections)
   {
     std::vector<char> is_bad(m_holes.size(), 0);
@@ -82,7 +82,7 @@ public:
     return replace(is_bad);
   }
 
-  // Replaces or removes caps that do not meet the requirements; returns false if there are none.
+  // Replaces or removes caps that do not meet the requirements. Returns whether there were any.
   bool replace(const Requirements& requirements)
   {
     std::vector<char> is_bad(m_holes.size(), 0);
@@ -126,7 +126,7 @@ private:
     std::vector<Halfedge_index> halfedges; // ordered around the hole
     Method method = Method::PLANAR;
     Point_3 apex; // apex of a fan
-    // Corner i is the source of halfedge i; in a fan, the last one is the apex.
+    // Corner i is the source of halfedge i; in a fan, the last corner is the apex.
     std::vector<std::array<std::size_t, 3> > triangles;
   };
   struct Triple
@@ -154,11 +154,11 @@ private:
     return true;
   }
 
-  // Triangulates a hole by its method, unless this is `NONE`. If the method fails, selects the next one and returns
+  // Triangulates a hole by its method, unless this is `NONE`. If the method fails, selects the next method and returns
   // false.
   bool triangulate(Hole& hole) const
   {
-    // Largest numbers of edges: beyond these, holes without a Delaunay triangulation, and adding a fan, take too long.
+    // Numbers of edges above which the cubic search for a triangulation, or adding a fan, takes too long.
     constexpr std::size_t most_for_cubic = 120, most_for_fan = 2000;
     Run::poll();
     hole.triangles.clear();
@@ -191,9 +191,9 @@ private:
 
   static bool is_fan(const Hole& hole) { return hole.method == Method::FLAT_FAN || hole.method == Method::CONE; }
 
-  // Returns the middle of a hole, weighted by edge lengths, so that dense parts of the border have no more influence.
-  // For a cone, moves it by the mean outward conormal of the border, times half the mean distance from it. This helps
-  // if facets at the border stick out of the hole.
+  // Returns the middle of a hole, weighted by edge lengths so that finely divided parts of the border do not dominate.
+  // For a cone, shifts it along the mean outward conormal of the border, in proportion to half its mean distance from
+  // the border. This helps if facets at the border stick out of the hole.
   Point_3 apex(const Hole& hole, const std::vector<Point_3>& points) const
   {
     Closing_kernel::Vector_3 sum(0, 0, 0), outwards(0, 0, 0);
@@ -211,8 +211,8 @@ private:
     return middle + radius / 2 / weight * outwards;
   }
 
-  // Rebuilds the mesh with the remaining caps. If a cap has an edge that the mesh or an earlier cap has, it cannot be
-  // added and is removed.
+  // Rebuilds the mesh with the remaining caps. A cap with an edge of the mesh or of an earlier cap cannot be added, and
+  // is removed.
   void rebuild()
   {
     bool is_complete;
@@ -251,13 +251,13 @@ private:
     for(Halfedge_index h : hole.halfedges) {
       const Vertex_index v = m_mesh.source(h);
       const double closed = length(cone_axis_at(m_capped, v));
-      // Folds of the mesh itself are not caused by the cap.
+      // Folds that the mesh has without the cap are ignored.
       if(closed < least_margin && closed < 0.5 * length(cone_axis_at(m_mesh, v))) return true;
     }
     return false;
   }
 
-  // Returns the gap at the middle of a facet, and the required gap.
+  // Returns the gap at the middle of a facet and the required gap.
   std::pair<double, double> least_gap_at(const Ray_tree& tree, Face_index f, double gap) const
   {
     Run::poll();

@@ -28,8 +28,8 @@ struct Assembled_closing
   std::vector<Back_sheet::Triangle> triangles;
 };
 
-// Assembles the triangles of caps and back sheet in an order in which they can be added to the mesh one by one. Each
-// has an edge on the border of the mesh or in common with an earlier triangle.
+// Orders the triangles of caps and back sheets so that they can be added to the mesh one by one: each shares an edge
+// with the border of the mesh or with an earlier triangle.
 inline Assembled_closing assemble_closing(const Closing_mesh& mesh, const Hole_caps& caps, const Back_sheet& back)
 {
   const Closing_mesh& capped = caps.capped_mesh();

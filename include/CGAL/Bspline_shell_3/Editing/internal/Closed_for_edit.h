@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Closes a mesh for an edit, and opens it afterwards, also if an exception is thrown.
+// Closes a mesh for an edit, and opens it afterward, even if an exception is thrown.
 template <typename TriangleMesh>
 class Closed_for_edit
 {
@@ -45,7 +45,7 @@ public:
     Shell_closing_3::detach(m_mesh, m_attached);
     forget();
   }
-  // Must be called if the mesh was replaced: there is nothing to open.
+  // Must be called if the mesh was replaced, because there is nothing to open then.
   void forget() { m_attached = Attached(); }
 
 private:

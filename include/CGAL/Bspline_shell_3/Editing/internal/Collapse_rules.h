@@ -29,11 +29,11 @@ struct Allowed_places
   std::vector<Point> places; // unless all are allowed
 };
 
-// Determines which edges may be collapsed, and to which positions, by constrained edges and frozen facets. Vertices of
-// constrained edges do not move. If constrained edges are not protected, they are collapsed along themselves, at
-// vertices where exactly two of them meet.
+// Determines from constrained edges and frozen facets which edges may be collapsed, and to which positions. Vertices of
+// constrained edges do not move. If constrained edges are not protected, they are collapsed at vertices where exactly
+// two of them meet.
 //
-// `Merges` is whether constrained edges may be unprotected; the map must be writable then.
+// `Merges` is whether constrained edges may be unprotected, which requires a writable map.
 template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap, bool Merges>
 class Collapse_rules
 {
@@ -51,8 +51,8 @@ public:
     : m_mesh(mesh), m_vpm(vpm), m_constrained(constrained), m_protects(protects || !Merges), m_frozen(frozen)
   {}
 
-  // Returns whether CGAL must not even consider an edge. It collapses edges of length zero without calling the
-  // placement. Constrained edges next to these are therefore not collapsed before them.
+  // Returns whether CGAL must not consider an edge at all. CGAL collapses edges of length zero without calling the
+  // placement, so constrained edges at the same vertices are not collapsed before them.
   bool is_kept(edge_descriptor e) const
   {
     return m_frozen.has_edge(e)

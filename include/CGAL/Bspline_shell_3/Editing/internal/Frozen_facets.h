@@ -18,7 +18,7 @@ namespace Bspline_shells {
 namespace internal {
 
 // Facets of a mesh that edits do not change, with their vertices and edges. They keep their descriptors. Facets that
-// close the mesh leave more freedom: edges may be collapsed into their vertices.
+// close the mesh are less restrictive: edges may be collapsed into their vertices.
 template <typename TriangleMesh>
 class Frozen_facets
 {

@@ -45,7 +45,7 @@ public:
   const std::vector<std::size_t>& positions() const { return m_positions; }
 
   // Returns whether all facets are the same as in an earlier state. `numbers` receives their current positions, in the
-  // earlier order. The order of facets may change if a mesh reuses the places of removed ones.
+  // earlier order. The order of facets may change if a mesh reuses the places of removed facets.
   bool is_as(const Frozen_state& before, std::vector<std::size_t>& numbers) const
   {
     std::unordered_map<face_descriptor, std::size_t> now;

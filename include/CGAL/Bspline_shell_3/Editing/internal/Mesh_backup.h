@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Returns whether a mesh that is restored has its original elements, so that external descriptors remain valid.
+// Returns whether a restored mesh has its original elements, so that external descriptors remain valid.
 template <typename TriangleMesh>
 bool is_restored_in_place(const TriangleMesh&)
 {
@@ -49,7 +49,7 @@ void assign(const Surface_mesh<Point>& before, Surface_mesh<Point>& mesh)
   mesh.join(before);
 }
 
-// A copy of a mesh before an edit, with its points and its constrained edges wherever maps store them.
+// A copy of a mesh before an edit, with the values of its maps of points and of constrained edges.
 template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap>
 class Mesh_backup
 {

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Truncates a mesh like its shell does, and stores the original positions of the elements of the truncated mesh.
+// Truncates a mesh as in its shell, and stores the original positions of the elements of the truncated mesh.
 template <typename TriangleMesh>
 class Mesh_truncated_for_edit
 {
@@ -29,7 +29,7 @@ class Mesh_truncated_for_edit
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
 public:
   // Returns false if the truncation fails; the mesh must not be used then.
-  // \param all the vertices in the order of `vertices(mesh)`; vertices that vanish are replaced by vertices nearby
+  // \param all the vertices in the order of `vertices(mesh)`; removed vertices are replaced by vertices nearby
   template <typename VertexPointMap>
   bool truncate(const Shell_truncation_3& truncation, TriangleMesh& mesh, VertexPointMap vpm,
                 std::vector<vertex_descriptor>& all)
@@ -72,8 +72,8 @@ public:
 
   bool is_truncated() const { return !m_facets.empty(); }
 
-  // Returns the positions in `faces(mesh)` before the truncation of the facets at the given positions now. Parts of a
-  // facet have its position, and triangles of discs have `no_facet`.
+  // Converts positions in the current `faces(mesh)` to those before the truncation. Parts of a facet have its position,
+  // and triangles of discs have `no_facet`.
   std::vector<std::size_t> facets_before(const TriangleMesh& mesh, const std::vector<std::size_t>& positions) const
   {
     const std::vector<face_descriptor> now(faces(mesh).begin(), faces(mesh).end());

@@ -17,12 +17,11 @@ struct Remeshing_tuning
 {
   // Lengths relative to the target above which edges are split, and below which they are collapsed.
   double longest = 4. / 3, shortest = 4. / 5;
-  // Largest ratio of new edges to the edge that is split: otherwise, needles would be split forever.
+  // Largest ratio of the length of new edges to that of the split edge: without it, needles would be split forever.
   double largest_new_edge = 0.9;
-  // Quality that must remain after a flip towards regular valences, or a collapse; or the quality before, if it is
-  // lower.
+  // Quality that must remain after a flip toward regular valences, or after a collapse, unless it was lower before.
   double regular_quality = 0.3;
-  // Quality that must remain after a move; or the quality before, if it is lower.
+  // Quality that must remain after a move, unless it was lower before.
   double good_quality = 0.7;
   // Factor by which a flip must improve the quality, and the number of passes of such flips.
   double least_gain = 1.01;
@@ -30,7 +29,7 @@ struct Remeshing_tuning
   // Second eigenvalue of the tensor of normals above which a vertex is on a crease: 25 degrees between two equal
   // facets.
   double crease = 0.05;
-  // Least cosine between the normals of two facets whose common edge may be flipped.
+  // Smallest cosine of the angle between the normals of two facets whose common edge may be flipped.
   double least_cosine = 0.9;
 };
 

@@ -31,23 +31,23 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// State that the stop predicate, visitor, placement and filter share. A run calls OnSelected() for an edge. If the edge
-// satisfies the link condition, it then calls placement and filter once, before any other edge.
+// State shared by the stop predicate, visitor, placement, and filter. For each edge, a run calls OnSelected() and then,
+// if the edge satisfies the link condition, the placement and the filter once each, before it selects another edge.
 struct Collapse_state
 {
   bool is_waiting = false; // whether the selected edge has no placement yet
   bool is_accepted = false;
   bool has_stopped = false;
-  bool has_deferred = false;          // whether a placement was too expensive
+  bool has_deferred = false;                          // whether a placement cost too much in this run
   Edit_termination obstacle = Edit_termination::MESH; // reason why the selected edge has no placement
-  double cost = 0;                    // cost of the selected edge
-  double largest_cost = 0;            // largest cost of a collapsed edge
-  double allowance = 1;               // factor by which other placements may cost more than the policy's
+  double cost = 0;                                    // cost of the selected edge
+  double largest_cost = 0;                            // largest cost of a collapsed edge
+  double allowance = 1; // factor by which other placements may cost more than the policy's
   std::size_t initial_edges = 0;
   std::size_t closing_facets = 0;
   std::size_t collapsed = 0, retried = 0;
 
-  // Returns the number of edges for stop predicates and visitors: three for every two facets of the mesh, without the
+  // Returns the number of edges for stop predicates and visitors: 3/2 of the number of facets of the mesh, without the
   // facets that close it.
   std::size_t edges_without_closing(std::size_t edges) const
   {
@@ -55,8 +55,8 @@ struct Collapse_state
   }
 };
 
-// Makes several runs look like one, and marks the selected edge after the base visitor was called. When an edge is
-// collapsed, constraints are updated before the base visitor is called.
+// Presents several runs to the base visitor as one. Marks the selected edge after calling the base visitor, and updates
+// constraints before the base visitor receives a collapsed edge.
 template <typename TriangleMesh, typename Visitor, typename Rules>
 class Selecting_visitor : public Collapse_visitor<TriangleMesh, Visitor>
 {
@@ -125,7 +125,7 @@ private:
   typename boost::property_map<TriangleMesh, dynamic_edge_property_t<Edit_termination> >::type m_obstacle;
 };
 
-// The caller's predicate, over several runs.
+// Calls the caller's predicate with the number of edges before and during the whole edit, which may take several runs.
 template <typename Stop>
 struct Continued_stop_predicate
 {
@@ -141,7 +141,7 @@ struct Continued_stop_predicate
   }
 };
 
-// Whether costs must be initialized when a run begins, and updated after each collapse.
+// Whether costs must be initialized at the beginning of a run, and updated after each collapse.
 template <typename Cost, typename = void>
 struct Requires_updates : Tag_false
 {};
@@ -149,7 +149,7 @@ template <typename Cost>
 struct Requires_updates<Cost, std::void_t<typename Cost::Update_tag> > : Boolean_tag<Cost::Update_tag::value>
 {};
 
-// The caller's costs. They refer to the original mesh in all runs.
+// The caller's costs, which are initialized only with the original mesh.
 template <typename Cost>
 struct Continued_cost
 {
@@ -175,9 +175,9 @@ struct Continued_cost
   }
 };
 
-// Returns the placement of the policy for an edge that only needs a cost. For the selected edge, returns the cheapest
-// of several placements that passes the filter. If there is none, or if it is too expensive, returns the policy's. If
-// the rules allow only some positions, these replace the policy's placement. If they allow none, nothing is accepted.
+// For an edge that only needs a cost, returns the policy's placement. For the selected edge, returns the cheapest of
+// several placements that passes the filter, or the policy's placement if there is none or it is too expensive. If the
+// rules allow only some positions, these replace the policy's placement; if they allow none, no placement is accepted.
 template <typename Cost, typename Placement, typename Filter, typename Field, typename Rules>
 class Retrying_placement
 {

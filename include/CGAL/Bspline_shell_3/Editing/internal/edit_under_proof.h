@@ -46,7 +46,7 @@ bool has_border_of_shell(const TriangleMesh& mesh, VertexPointMap vpm, const She
   return CGAL::is_closed(mesh) || (shell.closing() && shell.closing()->match_border(mesh, vpm));
 }
 
-// Returns whether a mesh can be edited in a shell, by cheap tests only.
+// Returns whether a mesh passes the cheap tests for edits in a shell.
 template <typename TriangleMesh, typename VertexPointMap, typename Shell>
 Edit_status check_before_edits(const TriangleMesh& mesh, VertexPointMap vpm, const Shell& shell)
 {
@@ -71,10 +71,10 @@ void locate(const Shell& shell, const std::vector<Point>& points, const Triangle
 }
 
 // Checks the mesh, edits it, and certifies the result. If the result is not certified, the edit is undone, unless
-// facets are frozen and all others accepted. `edit(oracle, frozen, all)` writes images and counts to the result. It
-// returns success, or the reason why the edit must be undone. Properties that it attaches to the mesh must be gone when
-// it returns. `all` contains a vertex for each original vertex: the vertex itself, or a vertex nearby if the mesh was
-// truncated first, like in the shell. During the edit, an open mesh is closed by the triangles that close it in the
+// facets are frozen and all others are accepted. `edit(oracle, frozen, all)` writes images and counts to the result,
+// and returns success or the reason why the edit must be undone. It must remove all properties that it attaches to the
+// mesh. `all` contains a vertex for each original vertex: the vertex itself, or a vertex nearby if the mesh was
+// truncated first, as in the shell. During the edit, an open mesh is closed by the triangles that close it in the
 // shell; `frozen` contains these facets.
 // \pre `check_before_edits()` accepts the mesh
 // \param proofs which of the facets that the oracle accepts are proved. If facets may be frozen, all of them must be.
@@ -93,7 +93,7 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     seconds = timer.time();
     timer.reset();
   };
-  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // the rounding mode of exact predicates
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // required by exact predicates
 
   Mesh_backup<TriangleMesh, VertexPointMap, EdgeIsConstrainedMap> before(mesh, vpm, edge_is_constrained);
   Closed_for_edit<TriangleMesh> closed(mesh);
@@ -150,8 +150,8 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     Shell_certificate_3<Field, Threshold> certificate(shell, oracle.bounds());
     const bool certified = certificate.template verify<ConcurrencyTag>(mesh, CGAL::parameters::vertex_point_map(vpm));
     result.certificate = certificate.report();
-    // Rejected facets prove nothing, and the certificate may hold all the same. If it does not, the other facets must
-    // still be accepted, and the mesh must have its original border.
+    // A rejection proves nothing, so the certificate may succeed although facets were rejected. If it fails, the other
+    // facets must still be accepted, and the mesh must have its original border.
     const bool are_kept = Frozen_state<TriangleMesh, VertexPointMap>(frozen, mesh, vpm)
                             .is_as(frozen_before, result.frozen_facets);
     const bool is_proved = certified
@@ -176,15 +176,15 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
 }
 
 // Returns whether a certificate failed because of a claim about the shell itself. This claim is only examined if the
-// shell contains the mesh, and no edit changes it.
+// shell contains the mesh, and does not depend on edits.
 inline bool is_shell_at_fault(const Certificate_report& report)
 {
   return report.verdict(Claim::CONTAINMENT) == Verdict::PROVED && report.verdict(Claim::GRADIENT) != Verdict::PROVED;
 }
 
 // Edits a mesh like edit_and_certify(). If `may_repeat`, facets are proved only where they are doubtful, and the
-// certificate decides. If it fails, the edit is undone and repeated with all proofs, unless the shell is at fault.
-// Rollback must preserve external descriptors, and `edit` must be repeatable.
+// certificate decides. If it fails, the edit is undone and repeated with all proofs, unless the shell is at fault. In
+// this case, the rollback must preserve external descriptors, and `edit` must be repeatable.
 template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap,
           typename Field, typename Threshold, typename NamedParameters, typename Result, typename Edit>
 Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConstrainedMap edge_is_constrained,

@@ -39,9 +39,9 @@ bool has_zero_edge(typename boost::graph_traits<TriangleMesh>::face_descriptor f
   return is_zero(h, mesh, vpm) || is_zero(next(h, mesh), mesh, vpm) || is_zero(prev(h, mesh), mesh, vpm);
 }
 
-// Returns the facets that the oracle rejects, and the facets at vertices whose facets are all accepted but whose fan
-// does not wind once. Frozen facets, fans with a frozen facet, fans at a border and, on request, facets with an edge of
-// length zero are skipped.
+// Returns the facets that the oracle rejects, and the facets at vertices whose facets are all accepted, but do not wind
+// around the vertex once. Skips frozen facets, fans with a frozen facet, fans at a border and, on request, facets with
+// an edge of length zero.
 template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename Oracle>
 Frozen_facets<TriangleMesh> find_rejected_facets(const TriangleMesh& mesh, VertexPointMap vpm, const Oracle& oracle,
                                                  const Frozen_facets<TriangleMesh>& frozen, bool are_zero_edges_allowed,

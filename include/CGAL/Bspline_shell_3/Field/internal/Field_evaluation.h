@@ -32,12 +32,12 @@ inline void to_bernstein(NT* b)
   });
 }
 
-// Bounds the distance of Bernstein coefficients from the exact ones, in any rounding mode. An operation errs by at most
-// eps times its result, or by the least positive number. Each of the three passes takes averages, with weights that sum
-// to one, in three operations; magnitudes never grow. Dependent coefficients are averages of up to 27 others: the
-// errors of their products sum to eps, and there are 26 sums. Of the least numbers, 27 are for the products, 3 for
-// divisions, and one for the radius itself. If coefficients are so large that sums of their multiples may overflow, the
-// bound is infinite.
+// Returns a bound on the errors of Bernstein coefficients, in every rounding mode. The error of an operation is at most
+// eps times its result, or at most the smallest positive number. Each of the three passes takes averages, with weights
+// that sum to one, in three operations; magnitudes never grow. Dependent coefficients are averages of up to 27 others:
+// the errors of their products sum to eps, and there are 26 sums. Of the smallest numbers, 27 are for the products, 3
+// for divisions, and one for the radius itself. If coefficients are so large that sums of their multiples may overflow,
+// the bound is infinite.
 inline double conversion_radius(double largest_coefficient, bool has_dependent)
 {
   constexpr double too_large = (std::numeric_limits<double>::max)() / 1024;
@@ -51,7 +51,7 @@ template <typename Field, typename GeomTraits>
 class Field_evaluation
 {
   static_assert(std::is_same<typename GeomTraits::FT, double>::value,
-                "GeomTraits must be a kernel whose number type is double");
+                "GeomTraits must be a kernel with the number type double.");
 public:
   typedef GeomTraits Geom_traits;
   typedef typename GeomTraits::FT FT;
@@ -60,7 +60,7 @@ public:
   typedef Tricubic_cell_3 Cell;
 
   /// \name Evaluation
-  /// Points are in user coordinates. Results are empty outside the domain.
+  /// Results are empty outside the domain.
   /// @{
   std::optional<FT> value(const Point_3& p) const
   {

@@ -15,11 +15,11 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Calls visit(q, weight) for the points of the level above whose weighted coefficients sum up to the coefficient at p.
+// Calls visit(q, weight) for the points of the level above whose weighted coefficients sum to the coefficient at p.
 template <typename Visitor>
 void visit_parent_points(const Lattice_point& p, const Visitor& visit)
 {
-  // There are two parents along an axis for odd coordinates, and three for even ones.
+  // There are two parents along an axis for odd coordinates, and three for even coordinates.
   int first[3], size[3];
   for(int a = 0; a < 3; ++a) {
     const int odd = p[a] & 1;

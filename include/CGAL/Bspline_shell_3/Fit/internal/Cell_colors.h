@@ -20,7 +20,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Colors tiles of 4 x 4 cells of a level across y and z with four colors: no function acts on two tiles of a color.
+// Colors tiles of 4 x 4 cells of a level across y and z with four colors, so that no function acts on two tiles of one
+// color.
 template <typename Field>
 class Cell_colors
 {

@@ -24,9 +24,9 @@ namespace Bspline_shells {
 namespace internal {
 
 // Additive Schwarz preconditioner: the sum over overlapping blocks of the inverses of the matrix restricted to them.
-// Functions of a cell are coupled so strongly that the diagonal alone takes nine times as many iterations. Models
-// Eigen's preconditioner concept. A block is stored as the inverse W of its Cholesky factor, in single precision: W^T W
-// is positive definite whatever the rounding.
+// Functions of a cell are coupled so strongly that the diagonal alone takes at least nine times as many iterations.
+// Models Eigen's preconditioner concept. A block is stored as the inverse W of its Cholesky factor, in single
+// precision, because W^T W is positive definite despite rounding.
 template <typename ConcurrencyTag>
 class Schwarz_preconditioner
 {
@@ -68,7 +68,7 @@ public:
     return factorize(matrix);
   }
 
-  // Returns a reference to memory that the next call overwrites.
+  // Returns a reference to memory that is overwritten by the next call.
   template <typename Vector>
   const Eigen::VectorXd& solve(const Vector& r) const
   {
@@ -124,7 +124,7 @@ private:
     m_factors.resize(m_first_factor.back());
     m_local.resize(m_unknowns.size());
     m_result.resize(n);
-    // the positions of the results of each unknown, by counting
+    // positions of the results of each unknown, by a counting sort
     m_first_position.assign(std::size_t(n) + 1, 0);
     for(std::uint32_t u : m_unknowns) ++m_first_position[u + 1];
     for(std::size_t u = 0; u < n; ++u) m_first_position[u + 1] += m_first_position[u];
@@ -147,13 +147,13 @@ private:
         if(row != end && *row == std::uint32_t(it.row())) B(row - begin, c) = it.value();
       }
     }
-    // Scaled to a unit diagonal, as functions at the border of the domain are smaller by orders of magnitude.
+    // Scaled to a unit diagonal, because functions at the boundary of the domain are smaller by orders of magnitude.
     Eigen::VectorXd scale(size);
     for(Eigen::Index i = 0; i < size; ++i) scale[i] = B(i, i) > 0 ? 1 / std::sqrt(B(i, i)) : 1;
     for(Eigen::Index c = 0; c < size; ++c)
       for(Eigen::Index r = c; r < size; ++r) B(r, c) *= scale[r] * scale[c];
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd> > factorization(B);
-    // If rounding leaves a block without a factor, its diagonal is used.
+    // If rounding prevents the factorization of a block, its diagonal is used.
     if(factorization.info() == Eigen::Success) invert_lower_triangle(B);
     else B.setIdentity();
     float* packed = &m_factors[m_first_factor[b]];
@@ -161,7 +161,7 @@ private:
       for(Eigen::Index j = 0; j <= i; ++j) *packed++ = float(B(i, j) * scale[j]);
   }
 
-  // Inverts by halves: most of the work is products of matrices, without multiplications by zeros.
+  // Inverts the matrix by halves, so that most of the work is in products of matrices, without multiplications by zero.
   static void invert_lower_triangle(Eigen::Ref<Eigen::MatrixXd> L)
   {
     constexpr int small = 16;

@@ -34,7 +34,8 @@ public:
 
   bool is_empty(Cell_index c) const { return m_first_piece[c] == m_first_piece[c + 1]; }
 
-  // Calls f(basis, share of the area in cell units, normal) for the quadrature points on the mesh in a cell.
+  // Calls f(basis, weight, normal) for the quadrature points on the mesh in a cell. Weights sum to the area in cell
+  // units.
   template <typename Function>
   void for_each_point(Cell_index c, const Function& f) const
   {

@@ -41,9 +41,9 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// A sparse symmetric matrix, given by its lower triangle, for Eigen's iterative solvers. Eigen's own product with a
-// triangle is single-threaded. Here, each of a fixed number of column ranges adds to its own vector, and the vectors
-// are summed in order. The product does not depend on the number of threads.
+// A sparse symmetric matrix, given by its lower triangle, for Eigen's iterative solvers. Eigen's product with a
+// triangle is single-threaded. Here, each of a fixed number of column ranges adds to its own vector. The vectors are
+// summed in order, so that the product does not depend on the number of threads.
 template <typename ConcurrencyTag>
 class Symmetric_matrix : public Eigen::EigenBase<Symmetric_matrix<ConcurrencyTag> >
 {

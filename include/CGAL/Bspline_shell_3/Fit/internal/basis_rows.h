@@ -17,11 +17,11 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The derivatives of linear functionals of a field by the 64 coefficients that act on a cell, in cell units.
+// The derivatives of a functional of a field with respect to the 64 coefficients that act on a cell, in cell units.
 typedef Eigen::Matrix<double, 64, 1> Local_vector;
 typedef Eigen::Matrix<double, 64, 64> Local_matrix;
 
-// Returns the functions along each axis and their derivatives, at a point of a cell.
+// Returns the basis functions along each axis and their derivatives, at a point of a cell.
 inline Basis_jet<double, 2> first_order_basis(const std::array<double, 3>& position)
 {
   Basis_jet<double, 2> basis;
@@ -60,8 +60,8 @@ inline Local_vector directional_row(const Basis_jet<double, 2>& basis, const std
   return row;
 }
 
-// Returns the determinant of the Hessian at a point with a given basis and, if `row` is not null, its derivative by the
-// 64 coefficients.
+// Returns the determinant of the Hessian at a point with a given basis and, if `row` is not null, its derivatives with
+// respect to the 64 coefficients.
 inline double hessian_determinant(const std::array<double, 64>& local, const Basis_jet<double, 3>& basis,
                                   Local_vector* row)
 {

@@ -24,14 +24,14 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Converts equations for the coefficients at all points to equations for the free ones, P^T A P and P^T b. The matrix P
-// computes all coefficients from the free ones.
+// Converts equations for the coefficients at all points to equations for the free coefficients, P^T A P and P^T b. The
+// matrix P computes all coefficients from the free coefficients.
 //
-// For each point near a dependent one, the row of A restricted to dependent points, times P, is a window of six
+// For each point near a dependent point, the row of A restricted to dependent points, times P, is a window of six
 // coefficients per side of the level above. It is computed one axis after the other. The window of a free point couples
 // it to that level, and is needed once. Windows of dependent points are added, with their weights, to the rows of the
-// coefficients that they depend on. All columns are computed independently. If points were chosen, rows and columns of
-// other free points are empty; all points that depend on a chosen one must be chosen, too.
+// coefficients on which they depend. All columns are computed independently. If points were chosen, rows and columns of
+// other free points are empty; all points that depend on a chosen point must also be chosen.
 template <typename Field>
 class Condensation
 {
@@ -42,7 +42,7 @@ class Condensation
 
   struct Window
   {
-    Lattice_point first; // least lattice point, on the level above
+    Lattice_point first; // smallest lattice point, on the level above
     std::array<double, width * width * width> entry;
   };
 
@@ -55,7 +55,7 @@ public:
   void operator()(Matrix& A)
   {
     find_windows();
-    m_windows.reset(new Window[m_dependent.size()]); // uninitialized: threads write each of them once
+    m_windows.reset(new Window[m_dependent.size()]); // uninitialized, because threads write each of them once
     for_each_chunk<ConcurrencyTag>(m_dependent.size(), 256, [&](std::size_t begin, std::size_t end) {
       for(std::size_t n = begin; n < end; ++n) compute_window(m_dependent[n][0], m_dependent[n][1], m_windows[n]);
     });
@@ -97,7 +97,7 @@ private:
       });
   }
 
-  // Finds dependent points, and free points that are coupled to one.
+  // Finds dependent points, and the free points that are coupled to them.
   void find_windows()
   {
     m_window_of.assign(m_field.number_of_points(), npos);
@@ -119,7 +119,7 @@ private:
     }
   }
 
-  // Returns the least parent of p - 3.
+  // Returns the smallest parent of p - 3.
   static Lattice_point first_of_window(const Lattice_point& p)
   {
     Lattice_point first;
@@ -167,8 +167,8 @@ private:
           window.entry[f * width * width + gh] += weight[2][k][f] * y[k * width * width + gh];
   }
 
-  // Calls same(row, di, dj, dk) for the rows of the point's level, and then above(row, entry of the window) for those
-  // of the level above. Rows ascend.
+  // Calls same(row, di, dj, dk) for the rows of the point's level, and then above(row, entry of the window) for the
+  // rows of the level above, in ascending order.
   template <typename Same, typename Above>
   void visit_rows(int level, Index n, const Same& same, const Above& above) const
   {
@@ -260,8 +260,8 @@ private:
   const Field& m_field;
   const Normal_equations<Field>& m_equations;
   const Matrix& m_all;
-  std::vector<Index> m_window_of; // by point: the number of its window; or `own`, which is not stored; or npos
-  std::vector<std::array<Index, 2> > m_dependent; // chosen dependent points: level and number in it
+  std::vector<Index> m_window_of; // by point: the index of its window; or `own`, which is not stored; or npos
+  std::vector<std::array<Index, 2> > m_dependent; // chosen dependent points: level and index in it
   std::unique_ptr<Window[]> m_windows;            // windows of the dependent points
 };
 

@@ -20,10 +20,10 @@ namespace internal {
 // Calls f(point, weight) for the points of a quadrature rule on a convex planar polygon in cell units. The weights sum
 // to its area. The rule commutes with reflections and rotations, and does not depend on the first corner.
 //
-// The integrands vary on the scale of a cell. A small polygon, of which a cell has many, gets its centroid c (exact to
-// degree one). A triangle as large as a cell gets three points (exact to degree two). Other polygons get one point per
-// side: the centroids of the triangles between c and the sides, moved away from c until the mean of |x - c|^2 is exact.
-// On a parallelogram, the rule is exact to degree two.
+// The integrands vary on the scale of a cell. A small polygon, of which a cell has many, has one point, its centroid c
+// (exact to degree one). A triangle as large as a cell has three points (exact to degree two). Other polygons have one
+// point per side: the centroids of the triangles between c and the sides, moved away from c until the mean of |x - c|^2
+// is exact. On a parallelogram, the rule is exact to degree two.
 template <typename Function>
 inline void for_each_quadrature_point(const std::vector<std::array<double, 3> >& polygon, const Function& f)
 {
@@ -70,7 +70,7 @@ inline void for_each_quadrature_point(const std::vector<std::array<double, 3> >&
     of_centroids += part * (squares + 2 * product) / 9;
     of_triangles += part * (squares + product) / 6;
   });
-  // With a factor of 1/2, the point is the midpoint of its side.
+  // The largest factor, 1/2, gives the midpoint of the side.
   const double factor = of_centroids > 0 ? (std::min)(0.5, std::sqrt(of_triangles / of_centroids) / 3) : 1. / 3;
   for_each_triangle(c, [&](const Point& u, const Point& v, double part) {
     f(Point{ c[0] + factor * (u[0] + v[0]), c[1] + factor * (u[1] + v[1]), c[2] + factor * (u[2] + v[2]) }, part);

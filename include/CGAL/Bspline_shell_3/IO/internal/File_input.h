@@ -37,7 +37,7 @@ public:
     return *this;
   }
 
-  // Fails for numbers that are infinite, not a number or out of range.
+  // Fails for numbers that are infinite, NaN, or out of range.
   template <typename T>
   Words& number(T& x)
   {
@@ -49,7 +49,7 @@ public:
     return *this;
   }
 
-  bool are_as_expected() const { return m_ok; }                // all words parsed are
+  bool are_as_expected() const { return m_ok; }                // all words so far are as expected
   bool are_complete() const { return m_ok && m_rest.empty(); } // and the line has no more words
 
 private:
@@ -83,7 +83,7 @@ public:
     return available().substr(0, text.size()) == text;
   }
 
-  // Returns the next line without its end. If there is none, or if it is too long, returns an empty line and sets
+  // Returns the next line without its end. If there is no line, or if it is too long, returns an empty line and sets
   // `is_bad()`.
   std::string_view line()
   {
@@ -102,7 +102,7 @@ public:
     return line;
   }
 
-  // Returns zero and sets `is_bad()` if the file ends before.
+  // Returns zero and sets `is_bad()` if the file ends too early.
   template <typename T>
   T binary()
   {
@@ -118,7 +118,7 @@ public:
   }
 
   bool is_bad() const { return m_bad; }
-  std::uint64_t checksum() const { return m_checksum.value(); } // covers all data read
+  std::uint64_t checksum() const { return m_checksum.value(); } // of all data read so far
   bool is_at_end()
   {
     require(1);
@@ -130,7 +130,7 @@ private:
 
   std::string_view available() const { return std::string_view(&m_buffer[0] + m_begin, m_end - m_begin); }
 
-  // Makes at least `size` characters available, unless the file ends before.
+  // Makes at least `size` characters available, unless the file ends earlier.
   void require(std::size_t size)
   {
     if(m_end - m_begin >= size) return;

@@ -50,7 +50,7 @@ public:
     else m_size += std::size_t(std::to_chars(begin, begin + longest, x).ptr - begin);
   }
 
-  // Writes the bytes of a number, the least significant first.
+  // Writes the bytes of a number, least significant byte first.
   template <typename T>
   void binary(T x)
   {
@@ -60,14 +60,14 @@ public:
     m_size += bytes.size();
   }
 
-  // Returns the checksum of everything written.
+  // Returns the checksum of all data written so far.
   std::uint64_t checksum()
   {
     pass_on();
     return m_checksum.value();
   }
 
-  // Returns whether everything was written.
+  // Returns whether all data was written.
   bool flush()
   {
     pass_on();

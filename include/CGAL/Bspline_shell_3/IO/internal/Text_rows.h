@@ -37,7 +37,7 @@ public:
     : m_text(text), m_begin(begin), m_comment(comment)
   {}
 
-  // Appends the words of the next line that has any; returns false if there is none.
+  // Appends the words of the next line that has words; returns false if there is none.
   bool next(std::vector<std::string_view>& words)
   {
     const std::size_t before = words.size();
@@ -87,7 +87,7 @@ inline bool read_count(std::string_view word, std::size_t& count)
   return true;
 }
 
-// Reads a coordinate. It may be infinite or not a number, also in Microsoft's notation (1.#INF).
+// Reads a coordinate, which may be infinite or NaN, also in Microsoft's notation (1.#INF).
 inline bool read_coordinate(std::string_view word, double& x)
 {
   if(!word.empty() && word.front() == '+') word.remove_prefix(1);

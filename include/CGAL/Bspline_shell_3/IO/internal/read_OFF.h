@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Reads an OFF file with arbitrary line breaks. It must have nothing but three counts, positions and indices.
+// Reads an OFF file with arbitrary line breaks, which must contain only three counts, positions, and indices.
 inline bool read_free_OFF(Text_soup& result)
 {
   std::vector<std::string_view> words;
@@ -53,7 +53,7 @@ inline Shell_status read_OFF_rows(Text_rows& rows, Text_soup& result)
   else if(has_keyword) words[0] = keyword;
   if(has_keyword && !words.empty() && words[0] == "BINARY") return Shell_status::UNSUPPORTED_FILE;
 
-  // The numbers of vertices, facets and edges; the last one may be missing.
+  // The number of vertices, facets, and edges; the last one may be missing.
   const std::size_t first = has_keyword && any_dimension ? 1 : 0;
   while(words.size() < first + 2)
     if(!rows.next(words)) return Shell_status::MALFORMED_FILE;
@@ -82,8 +82,8 @@ inline Shell_status read_OFF_rows(Text_rows& rows, Text_soup& result)
 
 /*
  * Reads positions and facets of an OFF file. CGAL's reader rejects "OFF8 6 12" and headers without a keyword. If the
- * number of edges is missing, it reads the first coordinate instead. It reads beyond its buffers if there are colors or
- * texture coordinates, reserves memory for any count in the file, and stops at "nan".
+ * number of edges is missing, it reads the first coordinate instead. It also reads beyond its buffers if there are
+ * colors or texture coordinates, reserves memory for any count in the file, and stops at "nan".
  */
 inline Shell_status read_OFF(Text_soup& result)
 {

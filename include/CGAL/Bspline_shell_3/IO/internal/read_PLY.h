@@ -33,7 +33,7 @@ struct PLY_property
 
 struct PLY_element
 {
-  // Returns the position of a property; the number of properties if there is none of that name.
+  // Returns the position of a property, or the number of properties if there is none with this name.
   std::size_t find(std::string_view property) const
   {
     std::size_t p = 0;
@@ -56,7 +56,7 @@ struct PLY_header
   std::size_t end = 0; // beginning of the data
 };
 
-// Returns the number of bytes of a type; 0 if there is none of that name.
+// Returns the number of bytes of a type, or 0 if there is none with this name.
 inline std::size_t size_of_PLY_type(std::string_view type, bool& is_real)
 {
   is_real = type == "float" || type == "float32" || type == "double" || type == "float64";
@@ -99,7 +99,7 @@ inline bool read_PLY_header(std::string_view text, PLY_header& header)
   return false;
 }
 
-// Returns whether the file has all binary data. CGAL's reader reserves memory for any list length in the file.
+// Returns whether the binary data is complete, because CGAL's reader reserves memory for any list length in the file.
 inline bool has_PLY_data(std::string_view text, const PLY_header& header)
 {
   const bool is_big_endian = header.format == "binary_big_endian";
@@ -120,7 +120,7 @@ inline bool has_PLY_data(std::string_view text, const PLY_header& header)
 }
 
 // Reads positions and facets of a text. If `by_lines`, each element is one line, which may have further words after its
-// properties. Otherwise line breaks have no meaning.
+// properties. Otherwise, line breaks have no meaning.
 inline bool read_PLY_text(const PLY_header& header, bool by_lines, Text_rows& rows, Text_soup& result)
 {
   std::vector<std::string_view> words, position(3);
@@ -156,9 +156,9 @@ inline bool read_PLY_text(const PLY_header& header, bool by_lines, Text_rows& ro
 }
 
 /*
- * Reads positions and facets of a PLY file. For text, CGAL's reader is not used: it supports few types, stops at "nan",
- * and misreads lines with more numbers than declared in the header. Binary data are read by CGAL's reader, unless it
- * would misread them: it drops properties of unknown type and integer coordinates.
+ * Reads positions and facets of a PLY file. CGAL's reader is not used for text, because it supports few types, stops at
+ * "nan", and misreads lines with more numbers than declared in the header. Binary data is read by CGAL's reader. Files
+ * with 8-byte integers or integer coordinates, which it would drop, are rejected.
  */
 inline Shell_status read_PLY(Text_soup& result)
 {

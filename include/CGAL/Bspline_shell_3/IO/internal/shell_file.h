@@ -61,7 +61,7 @@ std::vector<const Eigen::VectorXd*> coefficients_of_splines(const Shell& shell)
   return splines;
 }
 
-// Returns the levels of constant thresholds; for other thresholds, zero and the thickness.
+// Returns the values of constant thresholds; for other thresholds, zero and the thickness.
 template <typename Shell>
 Level_range levels(const Shell& shell)
 {

@@ -103,8 +103,8 @@ inline void write_truncation(Row_output out, const Shell_truncation_3* truncatio
   }
 }
 
-// Reads a truncation, or null if the file has none. Its validity is not tested. Vectors grow as data are read; counts
-// in the file never reserve memory.
+// Reads a truncation, or null if the file has none. Its validity is not tested. Vectors grow as data is read; no memory
+// is reserved for counts in the file.
 // \return `false` if rows are missing
 inline bool read_truncation(Row_input in, std::shared_ptr<const Shell_truncation_3>& truncation)
 {

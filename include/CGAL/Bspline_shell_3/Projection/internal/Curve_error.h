@@ -17,9 +17,9 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The largest and the least logarithmic rate, by the value of f, at which integral curves move apart, over all
-// directions across the curve. These are the eigenvalues of the Hessian, restricted to the tangent plane of the level
-// set, over |grad f|^2.
+// The largest and the smallest logarithmic rate, with respect to the value of f, at which integral curves move apart,
+// over all directions across the curve. These are the eigenvalues of the Hessian, restricted to the tangent plane of
+// the level set, divided by |grad f|^2.
 struct Divergence
 {
   double most, least;
@@ -31,7 +31,7 @@ Divergence divergence(const Tricubic_cell_3& cell, const Point& p)
   const auto jet = cell.second_order_jet(p);
   const auto& g = jet.gradient;
   const auto& h = jet.hessian; // xx, yy, zz, xy, xz, yz
-  // trace and determinant of the restriction, by n^T H n and n^T adj(H) n
+  // trace and determinant of the restriction, from n^T H n and n^T adj(H) n
   const auto form = [&](double xx, double yy, double zz, double xy, double xz, double yz) {
     return xx * g[0] * g[0] + yy * g[1] * g[1] + zz * g[2] * g[2]
            + 2 * (xy * g[0] * g[1] + xz * g[0] * g[2] + yz * g[1] * g[2]);
@@ -81,9 +81,9 @@ struct Image_error
 };
 
 // Traces a curve, and traces it again in shorter steps while an estimated error exceeds the tolerance. If the error at
-// the image finally exceeds it, the status is `TOLERANCE_NOT_MET`. The error at the start exceeds it where curves approach
-// each other so closely that `double`s do not distinguish them at the image. `trace(step_tolerance, result)` returns a
-// status; the result has a member `error`.
+// the image still exceeds it at the end, the status is `TOLERANCE_NOT_MET`. The error at the start may exceed it where
+// curves approach each other so closely that `double`s do not distinguish them at the image. `trace(step_tolerance,
+// result)` returns a status; the result has a member `error`.
 template <typename Result, typename Trace>
 Flow_status keep_tolerance(double tolerance, Result& result, const Trace& trace)
 {

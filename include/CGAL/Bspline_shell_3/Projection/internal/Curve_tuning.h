@@ -12,11 +12,11 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Tuned numbers of traced curves. They affect time, and which points are lost; images either meet their tolerance or
-// have a status with the reason.
+// Tuned numbers of traced curves. They affect time, and which points have no image; each image meets its tolerance or
+// has a status with the reason.
 struct Curve_tuning
 {
-  // Distance beyond a face of its cell at which a curve changes to the next one, in widths of the cell.
+  // Distance beyond a face of its cell at which a curve moves on to the next cell, in widths of the cell.
   double slack = 1e-6;
   // If a step is cut within this fraction of its length from its end, the new end is interpolated.
   double near_end = 0.03;
@@ -25,18 +25,18 @@ struct Curve_tuning
   int max_steps = 2000;
   // Shortest step, in widths of the cell.
   double shortest_step = 1e-12;
-  // Gradient, in ranges of f per width of a cell, below which it is considered the cause of short steps.
+  // Gradient below which it is considered the cause of short steps, in ranges of f per width of the cell.
   double small_gradient = 1e-4;
   // Number of times that a curve is traced again with shorter steps, the factor on estimated errors, the fraction of
-  // the tolerance to aim at, and the least tolerance of steps as a fraction of it. For the default tolerance, the
-  // latter corresponds to the rounding of coordinates.
+  // the tolerance to aim at, and the smallest tolerance of steps as a fraction of the tolerance. For the default
+  // tolerance, the last one corresponds to the rounding of coordinates.
   int max_repetitions = 3;
   double safety = 2, aim = 0.25, least_step_tolerance = 1e-5;
   // Largest number of facets on the walk along the mesh, and the factor on its steps. Facets are then near the ends of
   // steps, where cutting steps is cheap.
   int max_moves = 64;
   double overshoot = 1.015;
-  // Bend of a curve that the search by the tree allows for, as a fraction of its length.
+  // Deviation of a curve from its tangent that the search by the tree allows for, as a fraction of its length.
   double bend = 0.1;
 };
 

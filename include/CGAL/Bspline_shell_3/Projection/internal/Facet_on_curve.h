@@ -59,8 +59,8 @@ private:
     return dot(normal, curve.derivative()) / (norm(normal) * curve.speed());
   }
 
-  // Finds where the curve passes the plane of the facet, by Newton's method on the last step. On a line, one iteration
-  // suffices. Returns false if this is not during the step; `s` is then an estimate.
+  // Finds where the curve passes through the plane of the facet, by Newton's method on the last step. For a straight
+  // curve, one iteration suffices. Returns false if this is not during the step; `s` is then an estimate.
   bool pass_plane(const Curve& curve, Index facet, double& s, Coordinates& x) const
   {
     const double speed = curve.speed(), rate = dot(m_facets->normal(facet), curve.derivative());
@@ -83,7 +83,7 @@ private:
     return false;
   }
 
-  // Walks over edges from a facet that the tangent meets to the one that the curve meets. Fails if the walk is not
+  // Walks over edges from a facet that the tangent meets to the facet that the curve meets. Fails if the walk is not
   // conclusive.
   bool walk(Curve& curve, Index facet, Hit& best) const
   {
@@ -110,8 +110,8 @@ private:
     return best.facet != Projection_facets_3::npos;
   }
 
-  // Ends the curve where it passes the plane of the facet that was found. Returns whether this point is on the facet
-  // and in the shell, up to the tolerance.
+  // Ends the curve where it passes through the plane of the facet that was found. Returns whether this point is on the
+  // facet and in the shell, up to the tolerance.
   bool settle(Curve& curve, Hit& hit) const
   {
     double goal = hit.value;
@@ -219,7 +219,7 @@ Flow_status Facet_on_curve<Shell>::trace(const Coordinates& start, Index near, d
   Curve curve(*m_shell, m_tolerance, step_tolerance);
   const Flow_status status = curve.start(start);
   if(status != Flow_status::SUCCESS) return status;
-  // The facet that the tangent meets is found over edges or in the tree.
+  // Finds the facet that the tangent meets by a walk over edges, or in the tree.
   const Coordinates x = curve.state(), tangent = curve.derivative();
   const double above = curve.room(true), below = curve.room(false),
                margin = curve_tuning.bend * (above - below) * curve.speed();

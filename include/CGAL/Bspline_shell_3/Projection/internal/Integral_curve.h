@@ -37,7 +37,7 @@ struct Flow_velocity
   // Returns f.
   double evaluate(const State& x, State& dx) const
   {
-    // Local coordinates save divisions: with h = width grad f, dx = width h / |h|^2.
+    // Local coordinates avoid divisions: with h = width grad f, dx = width h / |h|^2.
     const auto jet = cell.local_first_order_jet(cell.local_coordinates(x));
     const auto& h = jet.gradient;
     const double scale = cell.width() / dot(h, h);
@@ -75,8 +75,8 @@ struct Flow_velocity_with_differential
   }
 };
 
-// Returns about one unit in the last place of the coordinates in a shell. The coordinates of all cells differ from
-// those of the first cell by a few bounding boxes at most.
+// Returns approximately one unit in the last place of the coordinates in a shell. The coordinates of all cells differ
+// from those of the first cell by at most a few times the size of the bounding box.
 template <typename Shell>
 double coordinate_rounding(const Shell& shell)
 {
@@ -87,13 +87,13 @@ double coordinate_rounding(const Shell& shell)
   return std::numeric_limits<double>::epsilon() * (largest + shell.report().unit);
 }
 
-// Steps along an integral curve of a shell's field.
+// Steps along an integral curve in a shell.
 //
-// A step is taken with the polynomial of one cell, even if its stages lie outside the cell. It ends where the curve
-// leaves the cell. The integrand is thus analytic and the order of the method is kept, although the third derivatives
-// of the field jump between cells. A curve changes to the neighbor only when it is beyond a face by `slack` of the
-// cell's width, so that a curve along a face does not alternate between cells. The two polynomials agree up to second
-// derivatives there and thus differ by 1e-18 of the third ones.
+// A step is taken with the polynomial of one cell, even if its stages lie outside the cell, and ends where the curve
+// leaves the cell. The integrand is thus analytic, and the order of the method is preserved, although the third
+// derivatives of the field jump between cells. A curve moves on to a neighbor only when it is beyond the face by
+// `slack` times the cell's width, so that a curve along a face does not alternate between cells. There, the two
+// polynomials agree up to second derivatives, and thus differ by about 1e-18 of the third derivatives.
 template <typename Shell, typename Velocity>
 class Integral_curve
 {
@@ -103,15 +103,15 @@ class Integral_curve
 public:
   typedef typename Velocity::State State;
 
-  // `tolerance` is the distance by which the curve may leave the shell. `step_tolerance` is the tolerance for the
-  // errors of all steps. Both are in user units.
+  // The curve may leave the shell by the distance `tolerance`; `step_tolerance` is the tolerance for the sum of the
+  // errors of all steps. Both are in the units of the coordinates.
   Integral_curve(const Shell& shell, double tolerance, double step_tolerance)
     : m_shell(&shell), m_tolerance(tolerance), m_step_tolerance(step_tolerance),
       m_rounding(coordinate_rounding(shell)), m_velocity{ shell.field().cell(0) }
   {}
   Integral_curve(const Shell& shell, double tolerance) : Integral_curve(shell, tolerance, tolerance) {}
 
-  // Begins a curve. State and value are valid after success only.
+  // Begins a curve. State and value are valid only after success.
   Flow_status start(const State& x)
   {
     for(int a = 0; a < 3; ++a)
@@ -135,8 +135,8 @@ public:
   }
 
   double tolerance() const { return m_tolerance; }
-  // Returns the precision of intersections with planes at an angle with this sine: a thousandth of the tolerance, or
-  // the rounding of coordinates if that is more.
+  // Returns the precision of intersections with planes that meet the curve at an angle with this sine: a thousandth of
+  // the tolerance or the rounding of coordinates, whichever is larger.
   double crossing_precision(double sine) const { return (std::max)(1e-3 * m_tolerance, 4 * m_rounding / sine); }
   const State& state() const { return m_end; }
   const State& derivative() const { return m_end_dx; }
@@ -149,8 +149,8 @@ public:
   // Returns the outer or the inner threshold minus the value.
   double room(bool outwards) const { return threshold(outwards, m_end) - m_end_s; }
 
-  // Takes one step towards `goal`, a value of f. It may end earlier, at the end of the cell or where the error grows.
-  // If the curve leaves the shell, the last step may still be examined.
+  // Takes one step toward `goal`, a value of f. The step may end earlier, where the curve leaves the cell or the error
+  // becomes too large. If the curve leaves the shell, the last step can still be examined.
   Flow_status step(double goal)
   {
     do {
@@ -158,14 +158,15 @@ public:
       const Flow_status status = step_in_cell(goal);
       m_has_left = status == Flow_status::LEAVES_SHELL;
       if(status != Flow_status::SUCCESS) return status;
-    } while(m_end_s == m_begin_s && m_end_s != goal); // repeated if only the cell was changed
+    } while(m_end_s == m_begin_s && m_end_s != goal); // repeated if only the cell changed
     return Flow_status::SUCCESS;
   }
 
   // The curve during the last step
   // @{
   double begin() const { return m_begin_s; }
-  // Returns a point between `begin()` and `value()`; it is less exact than the ends.
+  // Returns the point of the last step with the value `s`, between `begin()` and `value()`; it is less accurate than
+  // the ends.
   State at(double s) const
   {
     if(m_stepped.s == m_begin_s) return m_begin;
@@ -173,8 +174,8 @@ public:
     m_stepper.calc_state(s, x, m_begin, m_begin_dx, m_begin_s, m_stepped.x, m_stepped.dx, m_stepped.s);
     return x;
   }
-  // Ends the step at `s`, which lies in it. The polynomial between the ends of the step matches their positions and
-  // derivatives. With t = (s - begin) / length, its error is (4 t (1 - t))^2 times that in the middle: negligible near
+  // Ends the step at `s`, a value within it. The polynomial of the step matches positions and derivatives at both ends.
+  // With t = (s - begin) / length, its error is (4 t (1 - t))^2 times the error in the middle, which is negligible near
   // the end.
   void cut(double s)
   {
@@ -205,7 +206,7 @@ public:
     if(m_end_s != m_begin_s) error.add_step(m_end_s - m_begin_s, error_of_step(), divergence(m_velocity.cell, m_end));
     return error;
   }
-  // Returns the difference between f at a point of the step and `s`, which is zero if the curve is exact.
+  // Returns the difference between f at a point of the step and `s`, which would be zero on the exact curve.
   double drift(const State& x, double s) const { return std::abs(m_velocity.cell.value(x) - s); }
   // @}
 
@@ -220,7 +221,7 @@ private:
     return std::isfinite(sum);
   }
 
-  // Returns whether the velocity is finite, and the gradient much larger than a zero gradient with rounding errors.
+  // Returns whether the velocity is finite and the gradient is much larger than its rounding error.
   bool is_gradient_certain() const
   {
     constexpr double safety = 100;
@@ -247,7 +248,7 @@ private:
     m_next_cell = Field::npos;
   }
 
-  // Returns the estimated error of the last step plus its rounding error, user units.
+  // Returns the estimated error of the last step plus its rounding error, in the units of the coordinates.
   double error_of_step() const
   {
     const double largest = (std::max)({ std::abs(m_end[0]), std::abs(m_end[1]), std::abs(m_end[2]) });
@@ -271,12 +272,12 @@ private:
     begin_step();
     const double longest = m_velocity.cell.width() / speed();
     double ds = goal - m_begin_s;
-    // Computed only here, as most curves end after one step.
+    // The step size is computed only now, because most curves end after one step.
     m_step_size = Step_adjuster().increase_step(m_step_size, m_step_error, Stepper::stepper_order_value);
     for(double limit : { m_step_size, longest })
       if(std::abs(ds) > limit) ds = std::copysign(limit, ds);
     for(;;) {
-      // Steps that are lost in rounding make no progress.
+      // A step that rounding reduces to zero makes no progress.
       if(m_begin_s + ds == m_begin_s && goal != m_begin_s) {
         cut(m_begin_s);
         return Flow_status::GRADIENT_VANISHES;
@@ -324,9 +325,9 @@ private:
     }
     if(axis != -1) {
       cut(exit);
-      // Leave the cell over the face, not over one of its edges. Points on edges belong to cells that the curve may not
-      // enter, or may leave again. If the cell beyond the face is not in the shell, try the cell that contains the
-      // point.
+      // Leaves the cell through the face, not through one of its edges, because points on edges belong to cells that
+      // the curve may not enter, or may leave immediately. If the cell beyond the face is not in the shell, tries the
+      // cell that contains the point.
       const std::array<double, 3> x = { m_end[0], m_end[1], m_end[2] };
       std::array<double, 3> beyond;
       for(int a = 0; a < 3; ++a)
@@ -346,11 +347,12 @@ private:
     return beyond * speed() <= m_tolerance ? Flow_status::SUCCESS : Flow_status::LEAVES_SHELL;
   }
 
-  // Returns where a coordinate passes a plane during the step, up to `precision` (regula falsi, Illinois variant).
+  // Returns the value of f at which the curve crosses a plane during the step, up to `precision` (regula falsi,
+  // Illinois variant).
   double crossing(int axis, double plane, double precision) const
   {
     double s0 = m_begin_s, s1 = m_end_s, d0 = m_begin[axis] - plane, d1 = m_end[axis] - plane;
-    if((d0 < 0) == (d1 < 0)) return m_begin_s; // the step began beyond the plane, by the slack at most
+    if((d0 < 0) == (d1 < 0)) return m_begin_s; // the step began beyond the plane, by at most the slack
     for(int i = 0; i < 60; ++i) {
       const double s = s1 - d1 * (s1 - s0) / (d1 - d0), d = at(s)[axis] - plane;
       if(std::abs(d) <= precision) return s;
@@ -380,9 +382,9 @@ private:
   {
     State x, dx;
     double s;
-  } m_stepped;             // where the last step of the method ended before it was cut
-  double m_step_size = 0;  // size of the last step, as a difference of f
-  double m_step_error = 0; // error of that step, as a fraction of the allowed one
+  } m_stepped;             // end of the last step of the method, before it was cut
+  double m_step_size = 0;  // size of the last step, as a difference in f
+  double m_step_error = 0; // error of that step, as a fraction of the allowed error
   Curve_error m_error;     // error of the steps before the last one
   int m_steps = 0;
   bool m_has_left = false; // whether the curve has left the shell

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Finds the facet that the integral curve through a point meets first, from the outer surface of the shell inwards, in
-// either orientation.
+// Finds the facet that the integral curve through a point meets first, from the outer surface of the shell inward,
+// whatever its orientation.
 template <typename Shell>
 class Outermost_facet_on_curve
 {
@@ -67,7 +67,7 @@ private:
     return curve.at(inside);
   }
 
-  // Of two facets that are met at the same value, the one with the smaller number comes first.
+  // Of two facets that are met at the same value, the one with the smaller index comes first.
   bool is_before(const Curve_hit& hit, const Curve_hit& best) const
   {
     if(best.facet == Projection_facets_3::npos) return true;

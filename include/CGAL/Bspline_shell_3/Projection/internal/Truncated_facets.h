@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The truncated facets of a mesh that a shell truncates, and the map between both.
+// The facets of a mesh after its truncation, and the map between the mesh and these facets.
 class Truncated_facets
 {
 public:
@@ -34,8 +34,8 @@ public:
   // a facet and barycentric coordinates in it
   typedef std::pair<Index, Coordinates> Place;
 
-  // Facet `n` of the facets to be cut is facet `cut[n].facet` of the mesh, whose corner `cut[n].corner` is the first
-  // corner. `npos` if the mesh does not contain this facet.
+  // Facet `n` of the facets to be cut is facet `cut[n].facet` of the mesh; its first corner is corner `cut[n].corner`
+  // there. `npos` if the mesh does not contain this facet.
   struct Cut_facet
   {
     Index facet;
@@ -90,7 +90,7 @@ public:
         if(side == edges.end() || beyond == npos || m_traced_of[beyond] == npos) continue;
         traced[side->second.first].neighbor[side->second.second] = m_traced_of[beyond];
         for(int j = 0; j < 3; ++j)
-          // One edge only: two common edges meet at a center, at which all facets are cut.
+          // There is only one such edge: two common edges would meet at a center, where all facets are cut.
           if(facets[beyond].neighbor[j] == m_cut[n].facet) traced[m_traced_of[beyond]].neighbor[j] = side->second.first;
       }
     m_facets = Projection_facets_3(std::move(traced));

@@ -41,7 +41,7 @@ struct Facets_by_component
 };
 
 // Returns paths through the components of a shell in which the components of a mesh lie, each through a large facet. A
-// path has the number of the mesh's component. The predicates prove the paths; no certificate of the shell is needed.
+// path has the index of the mesh's component. The predicates prove the paths; no certificate of the shell is needed.
 template <typename Shell>
 std::vector<Crossing_path> component_paths(const Shell& shell, const Facets_by_component& mesh)
 {
@@ -61,7 +61,7 @@ std::vector<Crossing_path> component_paths(const Shell& shell, const Facets_by_c
     const std::size_t tries = (std::min)(max_facets, facets[c].size()), before = paths.size();
     std::partial_sort(facets[c].begin(), facets[c].begin() + std::ptrdiff_t(tries), facets[c].end());
     for(std::size_t n = 0; n < tries && paths.size() < before + max_paths; ++n) {
-      // Not the centroid: regular meshes have edges there.
+      // The centroid is avoided, because edges of regular meshes may project onto it.
       const auto p = mesh.facets.point(facets[c][n].second, { 0.29, 0.33, 0.38 });
       const Point_3 middle(p[0], p[1], p[2]);
       if(shell.bounded_side(middle) == ON_UNBOUNDED_SIDE) continue;
@@ -75,13 +75,14 @@ std::vector<Crossing_path> component_paths(const Shell& shell, const Facets_by_c
 }
 
 // Returns whether each component of two meshes shares a component of the shell with a component of the other mesh. If
-// both meshes are in the shell, a path through one that crosses the other proves this. `false` means unknown.
+// the two meshes are in the shell, a path through one of them that crosses the other proves this. `false` means
+// unknown.
 template <typename Shell>
 bool share_components(const Shell& shell, const Projection_facets_3& first, const Projection_facets_3& second)
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
   if(arithmetic_self_test() != Arithmetic_status::SOUND) return false;
-  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // the rounding mode of exact predicates
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // required by exact predicates
   const std::array<Facets_by_component, 2> meshes = { Facets_by_component(first), Facets_by_component(second) };
   std::array<std::vector<char>, 2> has_partner;
   for(int i = 0; i < 2; ++i) has_partner[i].assign(meshes[i].number_of_components, 0);

@@ -30,10 +30,11 @@ struct Curve_hit
   Image_error error;
 };
 
-inline constexpr double search_tolerance = 100; // factor on the tolerance, since points within steps are less exact
+inline constexpr double search_tolerance = 100; // factor on the tolerance: points within steps are less accurate
 
-// Calls `visit(hit)` for the facets that the curve passes between the thresholds during its last step, in either
-// orientation. At edges, `search_tolerance` applies. A facet whose plane is passed twice in one step may be missed.
+// Calls `visit(hit)` for the facets that the curve passes through between the thresholds during its last step, whatever
+// their orientation. At edges, `search_tolerance` applies. A facet whose plane the curve crosses twice in one step may
+// be missed.
 template <typename Curve, typename Visitor>
 void visit_facets_passed(const Curve& curve, const Projection_facets_3& facets, double tolerance, const Visitor& visit)
 {
@@ -59,7 +60,7 @@ void visit_facets_passed(const Curve& curve, const Projection_facets_3& facets, 
     hit.value = std::abs(h0) <= std::abs(h1) ? s0 : s1;
     Coordinates x = std::abs(h0) <= std::abs(h1) ? x0 : x1;
     if((h0 < 0) != (h1 < 0))
-      for(int i = 0; i < 100 && s1 != s0; ++i) { // regula falsi, the Illinois variant
+      for(int i = 0; i < 100 && s1 != s0; ++i) { // regula falsi, Illinois variant
         hit.value = s1 - h1 * (s1 - s0) / (h1 - h0);
         x = curve.at(hit.value);
         const double h = facets.height(facet, x);

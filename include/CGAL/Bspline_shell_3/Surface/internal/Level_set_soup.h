@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Marching tetrahedra. Leaves that the level certainly misses are skipped. The topology depends on the signs of the
-// nodes only. A sign depends on the node, not on the leaf that evaluates it; a node on the level counts as above. The
+// Marching tetrahedra. Leaves that the level set is proved to miss are skipped. The topology depends only on the signs
+// of the nodes. A sign depends on the node, not on the leaf that evaluates it; a node on the level counts as above. The
 // triangles of each tetrahedron thus fit those of its neighbors, and the surface is a closed manifold unless a
 // tetrahedron has no neighbor. Vertices lie on edges. An edge is owned by the first selected leaf around it, which
 // numbers its edges consecutively. Other leaves find a vertex by the owner and the edge in it.
@@ -64,8 +64,8 @@ public:
   }
 
 private:
-  // The state of a leaf is its number among the candidates, which are the selected leaves that the level may pass, or
-  // one of these constants. A leaf that is `above` (`below`) is entirely so, by proof.
+  // The state of a leaf is its index among the candidates, which are the selected leaves that the level set may
+  // intersect, or one of these constants. A leaf that is `above` (`below`) is proved to be entirely so.
   static constexpr Index above = Cells::npos, below = Cells::npos - 1, not_selected = Cells::npos - 2;
   static constexpr std::size_t chunk = 256;
 
@@ -98,9 +98,9 @@ private:
       }
   }
 
-  // Copies of the polynomials on both sides of a face differ in their last bits, and a copy may contradict the proof
-  // for the other leaf. The sign is therefore that of the first leaf around the node with a proof. If there is none, it
-  // is the sign of the value in the first leaf.
+  // The polynomials on the two sides of a face differ in their last bits, and one of them may contradict the proof for
+  // the other leaf. The sign is therefore that of the first leaf around the node with a proof or, if there is none,
+  // that of the value in the first leaf.
   bool is_above(Index c, const Enclosed_tricubic& f, const Node& v) const
   {
     if(std::all_of(v.begin(), v.end(), [&](int i) { return i > 0 && i < m_last; }))
@@ -243,7 +243,7 @@ private:
     };
     const double t = root([&](double t) { return cell.value(at(t)); }, is_above(candidate, ends[0]), f.radius);
     // At the ends of edges, the vertices of many edges would coincide. A distance of about a thousand roundings of the
-    // coordinates keeps all points apart and all triangles from collapsing, whatever the rounding of points.
+    // coordinates keeps all points apart and prevents triangles from collapsing, even after rounding of the points.
     double reach = 0, length = 0;
     for(int a = 0; a < 3; ++a) {
       reach = (std::max)({ reach, std::abs(p[a]), std::abs(q[a]) });
@@ -253,8 +253,9 @@ private:
     return at((std::min)((std::max)(t, margin), 1 - margin));
   }
 
-  // Returns a zero of f in [0, 1], up to the tolerance on values or to the last bits, by regula falsi (Illinois) with
-  // some bisections. If an end has the wrong sign, or is zero, it is on the level up to rounding: it is returned.
+  // Returns a zero of f in [0, 1], up to the tolerance on values or to the last bits, by regula falsi (Illinois
+  // variant) with some bisections. If an end has the wrong sign or is zero, it is on the level up to rounding, and is
+  // returned.
   template <typename Function>
   static double root(const Function& f, bool is_above_at_0, double tolerance)
   {

@@ -22,15 +22,15 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The leaf cells of a shell's field, some of which are split. No leaf has both boxes of the shell's cover and boxes
-// outside of the cover that the level may pass. Leaves with boxes of the cover are selected. Boxes of the cover only
-// touch each other and excluded boxes, which a level between the thresholds does not pass. Hence no part of the level
-// set in the selected leaves has an end.
+// The leaf cells of a shell's field, some of which are split: no leaf has both boxes of the shell's cover and boxes
+// outside of the cover that the level set may intersect. Leaves with boxes of the cover are selected. Boxes of the
+// cover touch only each other and excluded boxes, which a level between the thresholds does not intersect. Hence no
+// part of the level set leaves the selected leaves.
 //
 // Leaves are also split if they have boxes of the cover that are monotone in nearly opposite directions. Two parts of
-// the level set are then close to each other, and each of them gets its own leaves.
+// the level set are then close to each other, and each of them needs its own leaves.
 //
-// Leaves that touch differ by one level at most. Leaves of the field that are not split keep their numbers; the others
+// Leaves that touch differ by at most one level. Leaves of the field that are not split keep their indices; the others
 // follow.
 template <typename Field, typename Threshold>
 class Shell_cells
@@ -139,7 +139,7 @@ private:
     while(p.level >= cells().number_of_levels()) p = p.parent();
     return cells().leaf_around(p.level, p.point);
   }
-  // Returns the cell if it exists, or else the leaf around it; npos if the cell is split in the field.
+  // Returns the cell if it exists, otherwise the leaf around it, or npos if the cell is split in the field.
   Index cell_or_leaf_around(const Place& p) const
   {
     Index c = whole_leaf_around(p);
@@ -161,7 +161,7 @@ private:
     return c != npos && !is_leaf(c);
   }
 
-  // Splits a cell, if it is in the domain, and the cells that must be split before it and around it.
+  // Splits a cell if it is in the domain, and the cells that must be split before it and around it.
   void split(const Place& p)
   {
     if(is_split(p)) return;
@@ -191,7 +191,7 @@ private:
 
   static bool is_in_shell(const Cover_box& b) { return b.component != Cover_box::no_component; }
 
-  // Returns whether two boxes of the cover are monotone in directions that make an angle of more than 120 degrees.
+  // Returns whether two boxes of the cover are monotone in directions with an angle of more than 120 degrees.
   static bool are_opposite(const Cover_box* begin, const Cover_box* end)
   {
     constexpr double cosine = -0.5;
@@ -223,7 +223,7 @@ private:
     }
   }
 
-  // Selects the leaf that contains a box, or else the leaves in the box.
+  // Selects the leaf that contains a box, or otherwise the leaves in the box.
   void select(const Place& p)
   {
     if(is_split(p))

@@ -31,7 +31,7 @@ public:
       for(std::size_t i = 0; i < 3; ++i) m_parent[component(t[i])] = component(t[(i + 1) % 3]);
   }
 
-  // Returns the component of a point, which is the number of one of the component's points.
+  // Returns the component of a point: the index of one of the component's points.
   std::size_t component(std::size_t point)
   {
     while(m_parent[point] != point) point = m_parent[point] = m_parent[m_parent[point]];

@@ -14,11 +14,12 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Cuts leaves into tetrahedra. A leaf is cut into n^3 equal subcells, and each subcell into the cones from its center
-// over the triangles of its faces. A face with smaller leaves behind it is cut into the squares of their subcells.
-// Other squares are cut by a fan from the midpoint of the first of their edges that smaller leaves around it halve, or
-// else from their least corner. Triangles thus depend on the square and the leaves around it only, and tetrahedra on
-// both sides conform. Leaves that touch must differ by one level at most, as in graded hierarchies.
+// Divides leaves into tetrahedra. A leaf is divided into n^3 equal subcells, and each subcell into the cones from its
+// center over the triangles of its faces. A face with smaller leaves behind it is divided into the squares of their
+// subcells. Other squares are divided by a fan from the midpoint of the first of their edges that smaller leaves around
+// it bisect, or from their smallest corner if there is none. Triangles thus depend only on the square and the leaves
+// around it, and tetrahedra on both sides conform. Leaves that touch must differ by at most one level, as in graded
+// hierarchies.
 //
 // Nodes are corners of tetrahedra. They have integer coordinates. In a leaf, these range from 0 to 2n along each axis.
 // In space, their unit is 1/2n of the width of the smallest leaves, and they may need more than 32 bits.
@@ -91,8 +92,8 @@ public:
     return m_cells->leaf_around(m_finest, cell);
   }
 
-  // The leaves around a leaf that are smaller than it. They determine which of its edges are halved and which faces are
-  // cut.
+  // The smaller leaves around a leaf, which determine which of its edges are bisected and which of its faces are
+  // divided.
   class Surroundings
   {
   public:
@@ -165,7 +166,7 @@ private:
   static int floor_quotient(std::int64_t i, int d) { return int(i / d - (i % d < 0 ? 1 : 0)); }
   int scale(Index c) const { return 1 << (m_finest - m_cells->level(c)); }
 
-  // Visits the triangles of a face of the subcell with the least node `v`, seen from the side of larger coordinates.
+  // Visits the triangles of a face of the subcell with the smallest node `v`, seen from the side of larger coordinates.
   template <typename Visitor>
   void visit_triangles(const Surroundings& surroundings, const Node& v, int axis, bool positive,
                        const Visitor& visit) const

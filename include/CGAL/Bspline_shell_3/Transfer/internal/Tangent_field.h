@@ -29,8 +29,9 @@ inline Eigen::Vector3d eigen_vector(const std::array<double, 3>& v)
   return Eigen::Vector3d(v[0], v[1], v[2]);
 }
 
-// The mean of vectors in a plane, each of which represents its rotations by 2 pi / N. The angle is that of the mean of
-// the N-th powers, closest to the first vector; the length is the mean length. For N = 1, it is the ordinary mean.
+// The mean of vectors in a plane, each of which represents its rotations by multiples of 2 pi / N. The angle is that of
+// the mean of the N-th powers, chosen closest to the first vector; the length is the mean length. For N = 1, this is
+// the ordinary mean.
 class Symmetric_mean
 {
 public:
@@ -81,9 +82,10 @@ public:
     return field;
   }
 
-  // Returns a field that is linear on each facet, has the facet's vector at its centroid, and fits the vectors of its
+  // Returns a field that is linear on each facet, has the facet's vector at the centroid, and fits the vectors of the
   // neighbors best. Neighbors are unfolded around common edges. The N-th powers are linear, as complex numbers whose
-  // modulus is the vector's length. A field need not be continuous across sharp edges: neighbors there are ignored.
+  // modulus is the vector's length. Neighbors across sharp edges are ignored, because a field need not be continuous
+  // there.
   static Tangent_field linear(const Projection_facets_3& facets, std::vector<Eigen::Vector3d> of_facets, int symmetry)
   {
     Tangent_field field(facets, symmetry);
@@ -93,10 +95,10 @@ public:
     return field;
   }
 
-  // Returns a field that is interpolated between vertices. The vector of a vertex is rotated into each facet the
-  // shortest way from the vertex's normal, which is the mean of the facets' normals, weighted by angles. Components
-  // along the normal are lost. `vertices` has the number of the vertex at each corner, whose index is 3 times that of
-  // the facet plus that of the corner.
+  // Returns a field that is interpolated between vertices. The vector of a vertex is rotated into each facet by the
+  // smallest rotation from the vertex's normal, which is the mean of the facets' normals, weighted by angles.
+  // Components along the normal are lost. `vertices` contains the index of the vertex at each corner; corner i of facet
+  // f has the index 3 f + i.
   static Tangent_field interpolated(const Projection_facets_3& facets, std::vector<Eigen::Vector3d> of_vertices,
                                     std::vector<std::size_t> vertices, int symmetry)
   {
@@ -140,7 +142,7 @@ public:
   }
 
 private:
-  typedef std::array<Power, 2> Gradient; // derivatives by the coordinates in the facet's plane
+  typedef std::array<Power, 2> Gradient; // derivatives with respect to the coordinates in the facet's plane
 
   Tangent_field(const Projection_facets_3& facets, int symmetry) : m_facets(&facets), m_symmetry(symmetry) {}
 
@@ -180,7 +182,8 @@ private:
       largest = (std::max)(largest, std::abs(difference));
     }
     const Eigen::Vector2cd slope = matrix.completeOrthogonalDecomposition().pseudoInverse().cast<Power>() * right;
-    // At the corners, the field differs from the facet's vector by at most as much as the neighbors do.
+    // Limits the gradient so that at the corners, the field differs from the facet's vector by at most as much as the
+    // neighbors do.
     double farthest = 0;
     for(int i = 0; i < 3; ++i) {
       const Eigen::Vector3d p = vertex(f, i) - centroid(f);

@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Records a status. Returns whether there is a value to put.
+// Records a status. Returns whether there is a value to write.
 inline bool record(Transfer_report& report, std::size_t position, Flow_status status, bool is_continued = false,
                    bool is_snapped = false)
 {
@@ -39,7 +39,7 @@ inline bool record(Transfer_report& report, std::size_t position, Flow_status st
   return status == Flow_status::SUCCESS;
 }
 
-// Gives a simplex without a value from the source the caller's default value, if there is one.
+// Gives an element without a value from the source the caller's default value, if there is one.
 template <typename NamedParameters, typename ValueMap, typename Simplex>
 void put_default_value(const NamedParameters& np, ValueMap values, const Simplex& simplex)
 {
@@ -47,7 +47,7 @@ void put_default_value(const NamedParameters& np, ValueMap values, const Simplex
     put(values, simplex, CGAL::parameters::get_parameter_reference(np, parameter_tags::default_value));
 }
 
-// Records the status of a rejected map for all facets of its target. `put(f)` completes a facet.
+// Records the status of a map that does not map points for all facets of its target. `put(f)` completes a facet.
 template <typename Map, typename Put>
 void fail_all_facets(Transfer_report& report, const Map& map, const Put& put)
 {
@@ -75,8 +75,7 @@ std::array<typename boost::property_traits<VertexValueMap>::value_type, 3> corne
   return { { get(values, v[0]), get(values, v[1]), get(values, v[2]) } };
 }
 
-// Returns the position in vertices(mesh) of each corner, whose index is 3 times that of the facet plus that of the
-// corner.
+// Returns the position of each corner in vertices(mesh); corner i of facet f has the index 3 f + i.
 template <typename Target>
 std::vector<std::size_t> positions_of_corners(const Target& target)
 {
@@ -90,8 +89,8 @@ std::vector<std::size_t> positions_of_corners(const Target& target)
   return result;
 }
 
-// Returns the centroids of the equal triangles into which a facet is cut, with `parts` of them along each edge. If the
-// facet's centroid is among them, it comes first.
+// Returns the centroids of the equal triangles into which a facet is divided, with `parts` triangles along each edge.
+// If the facet's centroid is among them, it comes first.
 inline std::vector<std::array<double, 3> > centroids_of_parts(int parts)
 {
   std::vector<std::array<double, 3> > centroids;
@@ -105,13 +104,14 @@ inline std::vector<std::array<double, 3> > centroids_of_parts(int parts)
   return centroids;
 }
 
-// Returns the number of parts along each edge that yields at least this many parts.
+// Returns the number of parts along each edge for which there are at least `samples` parts.
 inline int parts_along_edge(std::size_t samples)
 {
   return (std::max)(1, int(std::ceil(std::sqrt(double(samples)))));
 }
 
-// Returns whether a plane with this normal is parallel to the curve, up to rounding. Then, nothing is moved to it.
+// Returns whether a plane with this normal is parallel to the curve, up to rounding. If so, nothing can be moved to the
+// plane along the curve.
 template <typename Normal>
 bool is_along(const Normal& normal, const Flow_differential& d)
 {

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_MENDED_FIELD_H
-#define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_MENDED_FIELD_H
+#ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_CORRECTED_FIELD_H
+#define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_CORRECTED_FIELD_H
 
 #include <CGAL/Bspline_shell_3/Construction/Examined_field.h>
 #include <CGAL/Bspline_shell_3/Construction/Fitted_field.h>
@@ -33,10 +33,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief corrects the field of a round locally where slopes of facets are too small, or |f| is too large on the mesh
- * (`Slope_enforcement`).
- *
- * \tparam ConcurrencyTag as for `bspline_shell_3()`; the result is the same
+ * \brief corrects the field of a round locally where its slope across facets is too small, or where |f| is too large on
+ * the mesh (`Slope_enforcement`).
  */
 template <typename ConcurrencyTag>
 class Corrected_field
@@ -47,13 +45,13 @@ public:
 
   /// \pre the arguments outlive this object
   Corrected_field(Refinement_problem& problem, Fitted_field<ConcurrencyTag>& fitted,
-               Examined_field<ConcurrencyTag>& examined, Refinement_budget& budget)
+                  Examined_field<ConcurrencyTag>& examined, Refinement_budget& budget)
     : m_problem(problem), m_tuning(problem.parameters.tuning), m_fitted(fitted), m_examined(examined), m_budget(budget)
   {}
 
-  /// corrects the field until all conditions are met, or corrections no longer help.
-  /// \return `false` if too many conditions fail; `facets_with_small_slopes()` then returns them
-  bool mend()
+  /// corrects the field until all conditions are met or corrections no longer help.
+  /// \return `false` if too many conditions fail, which `facets_with_small_slopes()` then returns
+  bool correct()
   {
     if(!m_enforcement) begin();
     for(;;) {
@@ -66,13 +64,13 @@ public:
   }
 
   /// adds conditions, and corrects the field
-  bool mend(const std::vector<Slope_condition>& conditions)
+  bool correct(const std::vector<Slope_condition>& conditions)
   {
     m_enforcement->insert(conditions);
-    return mend();
+    return correct();
   }
 
-  /// returns the facets whose slope still fails
+  /// returns the facets across which the slope is still too small
   const std::vector<Sloping_facet>& facets_with_small_slopes() const { return m_sloping; }
 
   /// returns whether more cells are thick than corrections can handle
@@ -92,14 +90,14 @@ private:
 
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-  // returns the slope that a facet is to have in a cell
+  // returns the slope that is required across a facet in a cell
   double wanted_slope(Index c, std::uint32_t facet) const
   {
     return m_slope_limits.empty() ? m_problem.wanted_slopes[facet]
                                   : (std::min)(m_problem.wanted_slopes[facet], m_slope_limits[c]);
   }
 
-  // returns the largest |f| that corrections aim at on the mesh, in units of the width of root cells
+  // returns the bound on |f| on the mesh at which corrections aim, in units of the width of root cells
   double largest_on_mesh(Index c) const
   {
     return m_tuning.size_aimed_at * m_problem.half_thickness(*m_fitted.field(), c) / m_fitted.width();
@@ -131,12 +129,12 @@ private:
                                         std::vector<Slope_condition>& conditions) const
   {
     for(const Facet_failure& f : failures)
-      if(can_be_mended(f))
+      if(can_be_corrected(f))
         conditions.push_back({ f.cell, f.facet, m_fitted.field()->cell(f.cell).local_coordinates(f.point),
                                m_fitted.clipped().normal(f.facet), wanted_slope(f.cell, f.facet) });
   }
 
-  bool can_be_mended(const Facet_failure& f) const
+  bool can_be_corrected(const Facet_failure& f) const
   {
     return f.cell != Field::npos && m_problem.wanted_slopes[f.facet] > 0;
   }
@@ -181,12 +179,12 @@ private:
     }
     m_budget.round().failing_facets = failures.size();
     for(const Facet_failure& f : failures)
-      if(can_be_mended(f)) m_sloping.push_back({ f.cell, f.facet });
+      if(can_be_corrected(f)) m_sloping.push_back({ f.cell, f.facet });
     return Outcome::MENDED;
   }
 
-  // Limits the slopes required in cells that are wider than a wall or gap in them (`slopes_at_gaps()`). Returns whether
-  // any slope was reduced.
+  // Limits the slopes required in cells that contain a wall or gap narrower than the cell (`slopes_at_gaps()`). Returns
+  // whether any slope was reduced.
   bool limit_slopes(const std::vector<Index>& cells)
   {
     if(!m_slope_limits.empty()) return false;
@@ -200,9 +198,9 @@ private:
     return true;
   }
 
-  // If conditions contradict each other, the slope required of all facets around is reduced to a fraction of the least
-  // one. Along a sharp fin, a field that is steep on one facet may not increase through the next one. Returns `false`
-  // if slopes were already reduced in this round.
+  // If conditions contradict each other, reduces the slope required across all facets around to a fraction of the
+  // smallest one: along a sharp fin, a field that is steep across one facet may not increase through the next facet.
+  // Returns `false` if slopes were already reduced in this round.
   bool relax_slopes(const std::vector<Index>& cells)
   {
     if(!m_slope_limits.empty() || cells.empty()) return false;
@@ -231,4 +229,4 @@ private:
 } // namespace Bspline_shells
 } // namespace CGAL
 
-#endif // CGAL_BSPLINE_SHELL_3_CONSTRUCTION_MENDED_FIELD_H
+#endif // CGAL_BSPLINE_SHELL_3_CONSTRUCTION_CORRECTED_FIELD_H
