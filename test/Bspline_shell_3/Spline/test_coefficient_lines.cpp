@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace test_coefficient_lines {
@@ -28,5 +29,24 @@ TEST_CASE(
     for(int k : t) CHECK(k == 1);
   CHECK(std::is_sorted(axes.begin(), axes.end())); // one axis after the other
   CHECK(axes.size() == 48);
+}
+
+TEST_CASE("Differences of neighboring coefficients: their ranges along each axis, without NaN")
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for(int bad = -1; bad < 64; ++bad) {
+    // Along axis a, the differences are among m (m + 1) / 2 - 4 for m = 0, 1, 2, times the a-th scale.
+    const std::array<double, 3> scale = { 1, 10, 100 };
+    std::array<double, 64> c;
+    const auto value = [](int i) { return (i - 1) * i * (i + 1) / 6. - 4 * i; };
+    for(int n = 0; n < 64; ++n)
+      c[std::size_t(n)] = n == bad ? nan
+                                   : scale[0] * value(n % 4) + scale[1] * value(n / 4 % 4) + scale[2] * value(n / 16);
+    const auto ranges = CGAL::Bspline_shells::internal::difference_ranges(c.data());
+    for(std::size_t a = 0; a < 3; ++a) {
+      CHECK(ranges[a].min == -4 * scale[a]);
+      CHECK(ranges[a].max == -scale[a]);
+    }
+  }
 }
 } // namespace test_coefficient_lines

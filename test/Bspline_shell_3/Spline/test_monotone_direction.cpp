@@ -53,6 +53,9 @@ TEST_CASE("Monotone direction: a function is monotone only if it is steeper than
   CHECK_FALSE(is_monotone(linear({ 1, 0, 0 }, 0.05), 0.71));
   CHECK(is_monotone(linear({ 3, 4, 0 }, 0), 4.99));
   CHECK_FALSE(is_monotone(linear({ 3, 4, 0 }, 0), 5.01));
+  // Within the radius, a function has the slope 0.7 sqrt(3) = 1.21.
+  CHECK(is_monotone(linear({ 1, 1, 1 }, 0.05), 1.2));
+  CHECK_FALSE(is_monotone(linear({ 1, 1, 1 }, 0.05), 1.22));
   // The comparison is strict.
   CHECK_FALSE(is_monotone(linear({ 1, 0, 0 }, 0), 1));
 }

@@ -17,7 +17,7 @@
 #include <CGAL/Bspline_shell_3/Construction/failing_facets.h>
 #include <CGAL/Bspline_shell_3/Construction/slope_conditions.h>
 #include <CGAL/Bspline_shell_3/Construction/slopes_at_gaps.h>
-#include <CGAL/Bspline_shell_3/Fit/enforce_slopes.h>
+#include <CGAL/Bspline_shell_3/Fit/Slope_enforcement.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 
 #include <algorithm>
@@ -25,7 +25,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -65,9 +64,9 @@ public:
   }
 
   /// adds conditions, and corrects the field
-  bool correct(std::vector<Slope_condition> conditions)
+  bool correct(const std::vector<Slope_condition>& conditions)
   {
-    m_enforcement->insert(std::move(conditions));
+    m_enforcement->insert(conditions);
     return correct();
   }
 
@@ -113,7 +112,7 @@ private:
       [&](Index c) { return largest_on_mesh(c); }));
     std::vector<Slope_condition> conditions;
     add_conditions_of_thick_cells(conditions);
-    m_enforcement->insert(std::move(conditions));
+    m_enforcement->insert(conditions);
   }
 
   // Adds a condition at the point of each thick cell where |f| is largest.
@@ -176,7 +175,7 @@ private:
       add_conditions_of_sloping_facets(failures, conditions);
       add_conditions_of_thick_cells(conditions);
       if(conditions.empty()) break;
-      m_enforcement->insert(std::move(conditions));
+      m_enforcement->insert(conditions);
     }
     m_budget.round().failing_facets = failures.size();
     for(const Facet_failure& f : failures)

@@ -14,7 +14,9 @@
 #include <CGAL/Bspline_shell_3/Construction/Threshold_tuning.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Field/is_same_in_cell.h>
+#include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
+#include <CGAL/Bspline_shell_3/Spline/critical_values.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
@@ -57,7 +59,7 @@ struct Narrowing_limits
  * whether the shell has a critical point, and where the shell reaches the boundary of the domain. The values of the
  * field on the mesh limit this.
  *
- * Critical values in undecided boxes determine how far to narrow (`Shell_cover_3::critical_values()`). Thin walls
+ * Critical values in undecided boxes determine how far to narrow (`critical_values()`). Thin walls
  * contain many critical points, and covering a cell there may take more boxes than the cover allows. If the threshold
  * is already close enough to zero, only a finer cover can decide.
  *
@@ -303,7 +305,8 @@ private:
           internal::Run::poll();
           // If only the threshold is too steep, there may be no critical point, and the critical values may lie on the
           // other side of zero. In this case, the range of the field is used.
-          const Level_range values = cover.critical_values(box), field = cover.function(box).range();
+          const Enclosed_tricubic f = cover.function(box);
+          const Level_range values = critical_values(f), field = f.range();
           const bool is_beyond_zero = (field.min > 0 && values.max < 0) || (field.max < 0 && values.min > 0);
           note(box, is_beyond_zero ? field : values);
         }

@@ -199,10 +199,10 @@ private:
         ++exchange) {
       if(!plan(found).split.empty()) break;
       most = (std::min)(most, m_tuning.obstacles_left * double(cells));
-      std::vector<Slope_condition> conditions = conditions_at(obstacles);
+      const std::vector<Slope_condition> conditions = conditions_at(obstacles);
       if(conditions.empty()) break;
       m_budget.end_step(Refinement_budget::CERTIFICATE);
-      m_is_corrected = corrected.correct(std::move(conditions));
+      m_is_corrected = corrected.correct(conditions);
       m_budget.end_step(Refinement_budget::SLOPES);
       record_failures(corrected, found);
       if(!m_is_corrected || !plan(found).split.empty()) break;

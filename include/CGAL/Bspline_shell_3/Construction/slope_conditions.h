@@ -7,7 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_SLOPE_CONDITIONS_H
 
 #include <CGAL/Bspline_shell_3/Construction/Condition_tuning.h>
-#include <CGAL/Bspline_shell_3/Fit/enforce_slopes.h>
+#include <CGAL/Bspline_shell_3/Fit/Slope_condition.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>

@@ -22,6 +22,8 @@ struct Slope_tuning
   /// it leaves more, the problem is not local.
   double violated_cells_left = 0.7;
   std::size_t few_violated_cells = 64;
+  /// Number of patches among which independent ones are searched for. It affects time only.
+  std::size_t max_waiting_patches = 64;
   /// Largest number of unknowns in a patch: its dense matrix is factorized.
   std::size_t max_unknowns = 500;
   /// Number of times that violated conditions are added to those of a patch, its largest number of conditions, and the

@@ -6,6 +6,10 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SPLINE_COEFFICIENT_LINES_H
 #define CGAL_BSPLINE_SHELL_3_SPLINE_COEFFICIENT_LINES_H
 
+#include <CGAL/Bspline_shell_3/Spline/Level_range.h>
+
+#include <array>
+#include <cstddef>
 #include <type_traits>
 
 namespace CGAL {
@@ -29,6 +33,18 @@ inline void for_each_coefficient_line(const Visitor& visit)
   for_each_line_along<0>(visit);
   for_each_line_along<1>(visit);
   for_each_line_along<2>(visit);
+}
+
+// Returns, for each axis, the range of the differences of neighboring coefficients along the axis. NaN is skipped. The
+// partial derivative has these differences as coefficients, times 3 in the Bernstein basis.
+inline std::array<Level_range, 3> difference_ranges(const double* coefficients)
+{
+  std::array<Level_range, 3> ranges;
+  for_each_coefficient_line([&](int axis, int n, auto stride) {
+    const double* b = coefficients + n;
+    for(int m = 0; m < 3; ++m) ranges[std::size_t(axis)].include(b[(m + 1) * stride] - b[m * stride]);
+  });
+  return ranges;
 }
 
 } // namespace internal

@@ -143,11 +143,7 @@ private:
   static Slopes slopes(const Enclosed_tricubic& f, double width)
   {
     Slopes slopes;
-    std::array<Level_range, 3> differences;
-    for_each_coefficient_line([&](int axis, int n, auto stride) {
-      const double* b = &f.coefficients[std::size_t(n)];
-      for(int m = 0; m < 3; ++m) differences[std::size_t(axis)].include(b[(m + 1) * stride] - b[m * stride]);
-    });
+    const std::array<Level_range, 3> differences = difference_ranges(f.coefficients.data());
     for(std::size_t axis = 0; axis < 3; ++axis) {
       const double least = differences[axis].min, most = differences[axis].max;
       const double error = (1 + 16 * rounding)

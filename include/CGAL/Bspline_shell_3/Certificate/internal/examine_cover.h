@@ -13,6 +13,7 @@
 #include <CGAL/Bspline_shell_3/Certificate/internal/Examined_shell.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Spline/Level_range.h>
 #include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
 #include <CGAL/Bspline_shell_3/Spline/monotone_direction.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
@@ -63,13 +64,10 @@ template <typename Field>
 double largest_gradient(const Field& field, typename Field::Cell_index c)
 {
   const typename Field::Cell cell = field.cell(c);
-  const double* b = cell.coefficients();
-  std::array<double, 3> greatest = {};
-  for_each_coefficient_line([&](int axis, int n, auto stride) {
-    double& most = greatest[std::size_t(axis)];
-    for(int m = 0; m < 3; ++m) most = (std::max)(most, std::abs(b[n + (m + 1) * stride] - b[n + m * stride]));
-  });
-  for(double& largest : greatest) largest = 3 * (largest + 2 * cell.error_radius());
+  const std::array<Level_range, 3> differences = difference_ranges(cell.coefficients());
+  std::array<double, 3> greatest;
+  for(std::size_t a = 0; a < 3; ++a)
+    greatest[a] = 3 * ((std::max)(0., differences[a].largest_size()) + 2 * cell.error_radius());
   return length_bound(greatest) / cell.width() * (1 + 16 * rounding) + std::numeric_limits<double>::denorm_min();
 }
 
@@ -196,7 +194,7 @@ std::vector<typename Shell_cover_3<Field, Threshold>::Shared> examine_cover(
     w.point = center;
     draft.conclude(w);
   }
-  for(typename Cover::Box_index b : cover.at_end()) {
+  for(std::size_t b : cover.at_end()) {
     Certificate_witness w = witness(Claim::GRADIENT, Verdict::UNDECIDED, Certificate_witness::BOUNDARY_OF_DOMAIN);
     w.cell = cover.boxes()[b].cell;
     const Bbox_3 box = cover.bbox(cover.boxes()[b]);

@@ -1,10 +1,10 @@
-// enforce_slopes.h: conditions are met at the least cost, close to where they were violated. Infeasible conditions do
-// no harm.
+// Slope_enforcement.h, Slope_condition.h: conditions are met at the least cost, close to where they were violated.
+// Infeasible conditions do no harm.
 #include "fit_problem.h"
 #include "random_hierarchies.h"
 
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
-#include <CGAL/Bspline_shell_3/Fit/enforce_slopes.h>
+#include <CGAL/Bspline_shell_3/Fit/Slope_enforcement.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 
 #include <Eigen/Cholesky>
@@ -18,7 +18,7 @@
 #include <set>
 #include <vector>
 
-namespace test_enforce_slopes {
+namespace test_Slope_enforcement {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
@@ -565,4 +565,4 @@ TEST_CASE("Slopes: coefficients without an equation keep their values")
     else changed += problem.x[u] != before[u];
   CHECK(changed > 10);
 }
-} // namespace test_enforce_slopes
+} // namespace test_Slope_enforcement
