@@ -17,6 +17,7 @@
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/IO/write_VTU.h>
+#include <CGAL/Bspline_shell_3/Mesh/replace_patches.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/Bspline_shell_3/Soup/sample_soup_shares.h>
 #include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
@@ -189,7 +190,7 @@ void truncate(const Mesh& mesh, const std::string& prefix, double thickness, std
   const Shell shell = certified_shell(mesh, thickness);
   require(bool(shell.truncation()), "The mesh has no singular vertex.");
   Mesh truncated = mesh;
-  shell.truncation()->apply(truncated, truncated.points());
+  BS::replace_patches(*shell.truncation(), truncated, truncated.points());
   truncated.collect_garbage();
   require(write_mesh(prefix + "_truncated.ply", truncated)
             && write_mesh(prefix + "_simplified.ply", simplified(mesh, shell, facets)),
