@@ -48,7 +48,7 @@ public:
   {
     std::mt19937 random(1);
     std::vector<double> radii(m_tip.size(), m_tip.radius);
-    constexpr double least = truncation_tuning.least_distance;
+    const double least = truncation_tuning.least_distance;
     for(int n = 0; n < truncation_tuning.max_attempts && !is_good(); ++n) {
       if(n > 0)
         for(double& r : radii)
@@ -86,7 +86,7 @@ private:
   {
     Tip_disc disc = empty_disc(radii);
     const std::size_t k = disc.rim.size();
-    constexpr std::size_t most_fans = truncation_tuning.max_fans;
+    const std::size_t most_fans = truncation_tuning.max_fans;
     std::vector<std::vector<Triangle> > begins;
     std::vector<Point_3> polygon;
     for(const auto& p : disc.rim) polygon.push_back(p.point);

@@ -40,6 +40,7 @@ class Spherical_discs
 public:
   explicit Spherical_discs(const Tip& tip) : m_tip(tip)
   {
+    const double width = truncation_tuning.spherical_width;
     const std::size_t k = tip.size();
     for(std::size_t i = 0; i < k; ++i) {
       const double a = tip.edge_length(i), b = tip.edge_length((i + 1) % k);
@@ -87,7 +88,6 @@ public:
 
 private:
   typedef CGAL::Polygon_2<Truncation_kernel> Polygon;
-  static constexpr double width = truncation_tuning.spherical_width;
 
   double distance_from_rim(const Vector_3& p) const
   {
@@ -146,7 +146,7 @@ private:
     for(std::size_t n = 0; n < rim.size(); ++n)
       triangulation.insert_constraint(corners[n], corners[(n + 1) % rim.size()]);
     for(const Vector_3& s : samples) {
-      if(distance_from_rim(s) < truncation_tuning.least_rim_distance * width) continue;
+      if(distance_from_rim(s) < truncation_tuning.least_rim_distance * truncation_tuning.spherical_width) continue;
       const Point_2 p = seen_from(pole, { s })[0];
       if(!rim.has_on_bounded_side(p)) continue;
       triangulation.insert(p)->info() = m_rim.size() + disc.inner.size();
