@@ -104,9 +104,7 @@ TEST_CASE("Truncation: the map is one-to-one, and covers each disc once")
 
 TEST_CASE("Truncation: the derivative of the map agrees with finite differences")
 {
-  const auto truncation = square_pyramid(true).shared();
-  const Truncation& t = *truncation;
-  const Truncation_map map(truncation);
+  const Truncation_map map(square_pyramid(true).shared());
   std::mt19937 random(1);
   int tried = 0;
   for(int n = 0; n < 400; ++n) {
