@@ -25,7 +25,8 @@ class Vertex_images
 {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
 public:
-  Vertex_images(const TriangleMesh& mesh, const std::vector<vertex_descriptor>& originals)
+  // \param mesh not constant: dynamic maps of constant meshes may not grow
+  Vertex_images(TriangleMesh& mesh, const std::vector<vertex_descriptor>& originals)
     : m_mesh(mesh), m_first(get(dynamic_vertex_property_t<std::size_t>(), mesh))
   {
     for(vertex_descriptor v : vertices(mesh)) put(m_first, v, none);
@@ -67,7 +68,7 @@ private:
 
   const TriangleMesh& m_mesh;
   // by vertex of the mesh: the first original vertex of its ring, by number, or none
-  typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<std::size_t> >::const_type m_first;
+  typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<std::size_t> >::type m_first;
   std::vector<std::size_t> m_next; // by original vertex, in its ring
 };
 

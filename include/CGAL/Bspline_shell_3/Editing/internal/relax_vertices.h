@@ -36,7 +36,7 @@ template <typename Guarded>
 std::vector<std::vector<typename Guarded::vertex_descriptor> > independent_vertices(const Guarded& guarded)
 {
   constexpr std::size_t none = std::size_t(-1);
-  const auto& mesh = guarded.mesh;
+  auto& mesh = guarded.mesh;
   std::vector<std::vector<typename Guarded::vertex_descriptor> > classes;
   const auto class_of = get(dynamic_vertex_property_t<std::size_t>(), mesh);
   for(auto v : vertices(mesh)) put(class_of, v, none);
