@@ -35,16 +35,18 @@ const Shell& shell()
   return shell;
 }
 
-template <typename Edit, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Status run(Mesh& mesh, const Shell& shell, Result& result, const Edit& edit, const CGAL_NP_CLASS& np)
+template <typename Edit>
+Status run(Mesh& mesh, const Shell& shell, Result& result, const Edit& edit, bool freezes)
 {
   result.facets_before = mesh.number_of_faces();
-  return BS::internal::edit_and_certify<CGAL::Sequential_tag>(
-    mesh, get(CGAL::vertex_point, mesh), CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(), shell,
-    BS::Facet_proofs::ALL, np, result, [&](const auto&, const auto&, const auto&) {
-      edit(mesh);
-      return Status::SUCCESS;
-    });
+  BS::internal::Edit_options<Mesh> options;
+  options.freezes_rejected_facets = freezes;
+  return BS::internal::edit_and_certify<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), shell,
+                                                              BS::Facet_proofs::ALL, options, result,
+                                                              [&](const auto&, const auto&, const auto&) {
+                                                                edit(mesh);
+                                                                return Status::SUCCESS;
+                                                              });
 }
 
 const auto nothing = [](Mesh&) {};
@@ -85,7 +87,7 @@ TEST_CASE("Edit under proof: an edit must keep frozen facets, leave all others i
   const auto status = [&](const auto& edit) {
     Mesh mesh = start;
     Result result;
-    const Status status = run(mesh, shell(), result, edit, P::freeze_rejected_facets(true));
+    const Status status = run(mesh, shell(), result, edit, true);
     CHECK(result.frozen_facets_before == facets_at(start, out));
     CHECK(result.offending_simplices.facets == facets_at(start, out));
     if(status == Status::NOT_CERTIFIED) {
@@ -113,11 +115,11 @@ TEST_CASE("Edit under proof: fans that wind twice are found before the edit, and
   const Mesh folded = sliced_sphere(25, 12, 2);
   Mesh mesh = folded;
   Result result;
-  CHECK(run(mesh, shell(), result, nothing, CGAL::parameters::default_values()) == Status::NOT_IN_SHELL);
+  CHECK(run(mesh, shell(), result, nothing, false) == Status::NOT_IN_SHELL);
   CHECK(result.offending_simplices.vertices == Positions{ 0, 1 });
   CHECK(result.offending_simplices.facets.empty());
   Result frozen;
-  CHECK(run(mesh, shell(), frozen, nothing, P::freeze_rejected_facets(true)) == Status::PARTIALLY_EDITED);
+  CHECK(run(mesh, shell(), frozen, nothing, true) == Status::PARTIALLY_EDITED);
   CHECK(frozen.frozen_facets.size() == 50);
 }
 
@@ -135,7 +137,7 @@ TEST_CASE("Edit under proof: with a truncating shell, reports refer to facets an
       CAPTURE(is_disc_rejected, freezes);
       Mesh mesh = start;
       Result result;
-      const Status status = run(mesh, truncating, result, nothing, P::freeze_rejected_facets(freezes));
+      const Status status = run(mesh, truncating, result, nothing, freezes);
       CHECK(status == (freezes ? Status::PARTIALLY_EDITED : Status::NOT_IN_SHELL));
       CHECK(result.offending_simplices.facets == facets_at(start, out));
       CHECK(result.offending_simplices.vertices == (is_disc_rejected ? Positions{ std::size_t(tip) } : Positions()));

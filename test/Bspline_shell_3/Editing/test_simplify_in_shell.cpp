@@ -258,10 +258,9 @@ TEST_CASE("Simplification: an edit that is not certified is repeated with all pr
       if(int(proofs.size()) <= failures) put(vpm, *vertices(mesh).begin(), Point_3(9, 9, 9));
       return Status::SUCCESS;
     };
-    typedef typename boost::graph_traits<std::decay_t<decltype(mesh)> >::edge_descriptor Edge;
+    const BS::internal::Edit_options<std::decay_t<decltype(mesh)> > options;
     return BS::internal::edit_under_proof<CGAL::Parallel_if_available_tag>(
-      mesh, get(CGAL::vertex_point, mesh), CGAL::Static_boolean_property_map<Edge, false>(), sphere_shell(), may_repeat,
-      CGAL::parameters::default_values(), result, edit);
+      mesh, get(CGAL::vertex_point, mesh), sphere_shell(), may_repeat, options, result, edit);
   };
   typedef std::vector<BS::Facet_proofs> Proofs;
   const BS::Facet_proofs all = BS::Facet_proofs::ALL, doubtful = BS::Facet_proofs::WHERE_DOUBTFUL;
@@ -312,8 +311,10 @@ TEST_CASE("Simplification: a repeated edit starts from the original constrained 
     return Status::SUCCESS;
   };
   BS::Simplification_result<Mesh> result;
-  CHECK(BS::internal::edit_under_proof<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), map, sphere_shell(),
-                                                             true, CGAL::parameters::default_values(), result, edit)
+  BS::internal::Edit_options<Mesh> options;
+  options.constraints = BS::internal::Edge_constraints<Mesh>(map);
+  CHECK(BS::internal::edit_under_proof<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), sphere_shell(), true,
+                                                             options, result, edit)
         == Status::SUCCESS);
   CHECK(runs == 2);
   CHECK(result.is_repeated);
