@@ -359,7 +359,9 @@ TEST_CASE("Certified shells: invalid parameters, rejected meshes and cancellatio
     std::size_t iterations() const { return 1; }
     double residual() const { return 0; }
   };
-  CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::spd_solver(Zeros())).status() == Status::SOLVER_FAILED);
+  const auto unsolved = CGAL::certified_bspline_shell_3(mesh, parameters::spd_solver(Zeros()));
+  CHECK(unsolved.status() == Status::SOLVER_FAILED);
+  CHECK(unsolved.message() == message(BS::Solver_status::WRONG_SOLUTION));
   CHECK(CGAL::certified_bspline_shell_3(together(sphere(1), sphere(1))).status() == Status::SELF_INTERSECTION);
   struct Canceling
   {

@@ -109,6 +109,7 @@ public:
   const std::vector<Refinement_round>& rounds() const { return m_budget.rounds(); }
   /// the limit that ended the refinement, if any
   const Refinement_limit& limit() const { return m_limit; }
+  Solver_status solver_status() const { return m_fitted.solver_status(); }
   std::shared_ptr<const Field> field() const { return m_fitted.field(); }
   /// the certificate of the last field; it refers to `field()`
   const std::optional<Certificate>& certificate() const { return m_certificate; }

@@ -113,6 +113,8 @@ public:
   /// returns the outcome in one or two sentences: why there is no shell, or whether it is certified
   std::string message() const
   {
+    if(status() == Shell_status::SOLVER_FAILED && m_report.fit.status != Bspline_shells::Solver_status::SUCCESS)
+      return Bspline_shells::message(m_report.fit.status);
     if(!*this) return Bspline_shells::message(status(), m_report.invalid_parameter);
     typedef Bspline_shells::Refinement_status Refinement_status;
     const Refinement_status refinement = m_report.refinement;
