@@ -132,8 +132,8 @@ namespace CGAL {
  *       \cgalParamDefault{`Bspline_shells::Conjugate_gradient_solver` with a tolerance of 1e-4}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{signed_distance_oracle}
- *       \cgalParamDescription{a function used instead of the signed distance to the mesh; it is copied unless it is
- *         passed by `std::cref()`}
+ *       \cgalParamDescription{a function of a point, for example a lambda expression, used instead of the signed
+ *         distance to the mesh; it is copied unless it is passed by `std::cref()`}
  *       \cgalParamType{a model of `SignedDistanceOracle_3`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{allow_self_intersections}
