@@ -24,8 +24,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief a polygon soup, its proxy (a closed mesh around it without self-intersections), and the shell of the proxy,
- * with which attributes are transferred between the soup and the proxy.
+ * \brief a polygon soup, its proxy (a closed mesh around it without self-intersections), and the shell of the proxy.
+ * Attributes are transferred between the soup and the proxy.
  *
  * Proxies are made by `certified_soup_proxy_3()`. Maps refer to this object, which must outlive them and must not be
  * moved.

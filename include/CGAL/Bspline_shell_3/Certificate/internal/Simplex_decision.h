@@ -214,8 +214,8 @@ private:
     return Bbox_3(least[0], least[1], least[2], most[0], most[1], most[2]);
   }
 
-  // Tries to prove the claim on a part. Parts larger than a cell that they meet are too large, as facets may be long
-  // and thin, and as a cell's polynomial gives no useful bound far beyond the cell.
+  // Tries to prove the claim on a part. Parts are too large if they are larger than a cell that they meet: facets may
+  // be long and thin, and a cell's polynomial gives no useful bound far beyond the cell.
   Attempt prove(const Part& part, const Corners& corners, double length)
   {
     const bool may_bisect = part.depth < max_bisections;
