@@ -99,7 +99,7 @@ public:
   typedef typename Field::Point_3 Point_3;
   typedef std::array<Point_3, size> Simplex;
 
-  // Parameters that are null are not wanted. `bound_below` receives the least value.
+  // Pointers may be null. `bound_below` receives the least value.
   Simplex_decision(const Field& field, double largest_width, const Simplex& simplex, const Question& question,
                    Witness* witness, Predicate_statistics* statistics, Least_value* bound_below)
     : m_field(field), m_simplex(simplex), m_question(question), m_witness(witness), m_bound_below(bound_below),
