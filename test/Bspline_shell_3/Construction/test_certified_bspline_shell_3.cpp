@@ -300,8 +300,8 @@ TEST_CASE("Certified shells: each limit of refinement has a message")
            "raise it (memory_limit).");
   limit.resource = BS::Refinement_resource::NUMBERS;
   CHECK(message(limit)
-        == "Another round of refinement would have 1200 cells and more unknowns than can be numbered: request a "
-           "thicker shell.");
+        == "Another round of refinement would have 1200 cells and more unknowns than can be numbered: see the "
+           "obstacles in the report.");
   limit.resource = BS::Refinement_resource::EFFORT;
   CHECK(message(limit)
         == "Another round of refinement would have 1200 cells, and all rounds together would exceed the effort limit: "

@@ -125,8 +125,8 @@ public:
     return refinement == Refinement_status::LIMIT_REACHED
              ? "The shell contains the mesh, but is not certified: a limit of memory, effort or rounds was reached. "
                "The report lists this limit and the obstacles."
-             : "The shell contains the mesh, but is not certified: smaller cells would not help. The report lists the "
-               "obstacles.";
+             : "The shell contains the mesh, but is not certified: smaller cells are not expected to help. The report "
+               "lists the obstacles.";
   }
   /// returns a flag for each cell of the field: whether the shell may intersect it (`Bspline_shells::Shell_component`)
   const std::vector<char>& shell_cells() const { return m_cells; }
