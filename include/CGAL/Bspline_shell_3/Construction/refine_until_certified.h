@@ -54,7 +54,7 @@ namespace Bspline_shells {
  *
  * A round consists of these steps:
  * - `Fitted_field` fits the field on the current cells.
- * - If few cells are affected, `Corrected_field` corrects the field where its slope across facets is too small, or
+ * - `Corrected_field` corrects the field if few cells are affected: where its slope across facets is too small, or
  *   where |f| exceeds half the thickness on the mesh (in *thick* cells).
  * - `Narrowed_thresholds` chooses thresholds between the values of f on the mesh and those at *obstacles*, such as
  *   possible critical points. If these leave no room at a few places, the field is corrected there again.

@@ -54,9 +54,9 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *
  * Edges are collapsed by `CGAL::Surface_mesh_simplification::edge_collapse()` with `Shell_filter`, cheapest first. If
  * the policy's placement is rejected, other placements are tried in the order of their costs. These are the ends and
- * the midpoint of the edge, and two points that are moved along the gradient to the mean value of the field at the
- * ends: the policy's placement and the midpoint. A rejected edge is considered again when its neighborhood has changed.
- * Edges of length zero are collapsed first, which does not change the surface.
+ * the midpoint of the edge. Two more are the policy's placement and the midpoint, moved along the gradient to the mean
+ * value of the field at the ends. A rejected edge is considered again when its neighborhood has changed. Edges of
+ * length zero are collapsed first, which does not change the surface.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`, used for proofs; all give
  *   the same result
