@@ -3,6 +3,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/bspline_shell_3.h>
+#include <CGAL/certified_bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
 #include <CGAL/Bspline_shell_3/Construction/shell_component.h>
 #include <CGAL/Bspline_shell_3/Fit/Conjugate_gradient_solver.h>
@@ -73,6 +74,11 @@ public:
 private:
   double m_radius;
 };
+
+double distance_to_ball(const Point_3& p)
+{
+  return std::sqrt(CGAL::squared_distance(p, Point_3(0, 0, 0))) - 0.95;
+}
 
 // SPDSolver: dense Cholesky factorization
 class Solver_archetype
@@ -305,6 +311,29 @@ TEST_CASE("SignedDistanceOracle_3: the field gets its values from the archetype"
   REQUIRE(shell);
   CHECK(*shell.field().value(Point_3(0.95, 0, 0)) == Approx(0).margin(0.01));
   CHECK(*shell.field().value(Point_3(0, 0, -1.2)) == Approx(0.25).margin(0.01));
+}
+
+TEST_CASE("SignedDistanceOracle_3: lambda expressions and functions are called with points of the usual kernel")
+{
+  const Distance_archetype archetype(0.95);
+  const BS::Any_signed_distance_3 expected(archetype), function(distance_to_ball);
+  const auto lambda = [](const Point_3& p) { return float(distance_to_ball(p)); };
+  const auto generic = [](const auto& p) { return distance_to_ball(p); };
+  const BS::Any_signed_distance_3 distances[] = { function, lambda, generic };
+  const std::vector<Point_3> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, -2, 3 } };
+  for(const BS::Any_signed_distance_3& distance : distances) {
+    double along[3];
+    distance(points, along);
+    for(int n = 0; n < 3; ++n) {
+      CHECK(distance(points[n]) == Approx(expected(points[n])).epsilon(1e-6));
+      CHECK(along[n] == distance(points[n]));
+    }
+  }
+  const Shell shell = CGAL::bspline_shell_3(sphere(1), P::resolution(8).signed_distance_oracle(lambda));
+  CHECK(shell);
+  const auto certified = CGAL::certified_bspline_shell_3(
+    sphere(1), P::resolution(8).signed_distance_oracle([](const Point_3& p) { return distance_to_ball(p); }));
+  CHECK(certified);
 }
 
 TEST_CASE("SPDSolver: the archetype and the package's models yield the same shell")

@@ -227,13 +227,13 @@ TEST_CASE("Open meshes: simplification keeps the border, and every point maps to
 
 TEST_CASE("Open meshes: the requested number of facets does not include the closing")
 {
-  const std::size_t asked = hill().number_of_faces() / 2;
+  const std::size_t requested = hill().number_of_faces() / 2;
   Mesh coarse = hill();
   const auto result = BS::simplify_in_shell(coarse, hill_shell(),
-                                            parameters::stop(BS::Facet_count_stop_predicate(asked)));
+                                            parameters::stop(BS::Facet_count_stop_predicate(requested)));
   REQUIRE(result);
-  CHECK(result.facets <= asked);
-  CHECK(result.facets + 2 >= asked);
+  CHECK(result.facets <= requested);
+  CHECK(result.facets + 2 >= requested);
 }
 
 TEST_CASE("Open meshes: simplification keeps constrained edges, and freezes facets outside the shell")

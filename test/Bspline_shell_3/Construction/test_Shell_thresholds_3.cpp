@@ -28,7 +28,7 @@ typedef Field::Cell_index Index;
 const double inf = std::numeric_limits<double>::infinity();
 constexpr CGAL::Sign sides[] = { CGAL::NEGATIVE, CGAL::POSITIVE };
 
-double asked(const Point_3&)
+double requested(const Point_3&)
 {
   return 0.5;
 }
@@ -107,7 +107,7 @@ double squared_distance(const Point_3& p, const CGAL::Bbox_3& b)
 // Returns a threshold with one cap, without a mesh.
 Field capped_once(const Field& field, double slope, Index c, CGAL::Sign side, double size)
 {
-  Thresholds thresholds(field, asked, slope);
+  Thresholds thresholds(field, requested, slope);
   thresholds.cap(c, side, sign(side) * size);
   return thresholds.threshold<Tag>(side);
 }
@@ -129,7 +129,7 @@ TEST_CASE("Shell thresholds: the mesh lies between the thresholds in every cell,
   const Problem& p = problem();
   CGAL::Random random(2);
   for(int caps : { 0, 1, 30 }) {
-    Thresholds thresholds(p.field, asked);
+    Thresholds thresholds(p.field, requested);
     thresholds.set_mesh_ranges(p.ranges);
     for(int n = 0; n < caps; ++n) {
       const CGAL::Sign side = sides[n % 2];
@@ -158,7 +158,7 @@ TEST_CASE("Shell thresholds: the mesh lies between the thresholds in every cell,
   std::vector<Level_range> wide = p.ranges;
   for(Level_range& r : wide)
     if(r.min <= r.max) r = { r.min - 0.4, r.max + 0.2 };
-  Thresholds thresholds(p.field, asked);
+  Thresholds thresholds(p.field, requested);
   thresholds.set_mesh_ranges(wide);
   const Field inner = thresholds.threshold<Tag>(CGAL::NEGATIVE), outer = thresholds.threshold<Tag>(CGAL::POSITIVE);
   for(Index c = 0; c < p.field.number_of_cells(); ++c) {
@@ -179,7 +179,7 @@ TEST_CASE("Shell thresholds: the mesh lies between the thresholds in every cell,
 TEST_CASE("Shell thresholds: a cell needs the room of all functions acting in it, as found by a search")
 {
   const Problem& p = problem();
-  Thresholds thresholds(p.field, asked);
+  Thresholds thresholds(p.field, requested);
   thresholds.set_mesh_ranges(p.ranges);
   // for each basis function, the extrema on the mesh in its support
   std::vector<Level_range> of(p.field.number_of_coefficients());
@@ -202,14 +202,14 @@ TEST_CASE("Shell thresholds: a cap applies in its cell, as far as the mesh allow
     const CGAL::Sign side = sides[n % 2];
     const Index c = p.random_cell(random);
     const double size = random.get_double(-0.1, 0.24);
-    Thresholds thresholds(p.field, asked);
+    Thresholds thresholds(p.field, requested);
     thresholds.set_mesh_ranges(p.ranges);
     thresholds.cap(c, side, sign(side) * size);
     const Level_range r = hull(thresholds.threshold<Tag>(side), c);
     const double largest = side == CGAL::POSITIVE ? r.max : -r.min, needed = sign(side) * thresholds.needed(c, side);
     CHECK(largest <= (std::max)(size, needed) + 1e-14);
     needing += needed > size;
-    Thresholds without(p.field, asked);
+    Thresholds without(p.field, requested);
     without.set_mesh_ranges(p.ranges);
     CHECK(thresholds.threshold<Tag>(CGAL::opposite(side)).coefficients()
           == without.threshold<Tag>(CGAL::opposite(side)).coefficients());
@@ -228,7 +228,7 @@ TEST_CASE("Shell thresholds: caps can be copied to other thresholds, even on fin
   const Problem& p = problem();
   CGAL::Random random(9);
   const Field finer(p.field.cells().refined({ p.random_cell(random), p.random_cell(random) }));
-  Thresholds capped(p.field, asked), again(p.field, asked), on_finer(finer, asked);
+  Thresholds capped(p.field, requested), again(p.field, requested), on_finer(finer, requested);
   for(int n = 0; n < 8; ++n)
     capped.cap(p.random_cell(random), sides[n % 2], sign(sides[n % 2]) * random.get_double(0, 0.2));
   REQUIRE(capped.caps().size() == 8);
@@ -322,7 +322,7 @@ TEST_CASE("Shell thresholds: several caps yield the minimum of their thresholds,
   std::vector<Cap> caps;
   for(int n = 0; n < 12; ++n) caps.push_back({ p.random_cell(random), sides[n % 2], random.get_double(-0.1, 0.2) });
   const auto capped = [&](const std::vector<Cap>& list, CGAL::Sign side) {
-    Thresholds thresholds(p.field, asked);
+    Thresholds thresholds(p.field, requested);
     thresholds.set_mesh_ranges(p.ranges);
     for(const Cap& c : list) thresholds.cap(c.cell, c.side, sign(c.side) * c.size);
     return Eigen::VectorXd(sign(side) * thresholds.threshold<Tag>(side).coefficients());
@@ -338,7 +338,7 @@ TEST_CASE("Shell thresholds: several caps yield the minimum of their thresholds,
 TEST_CASE("Shell thresholds: set_constant() yields two constant levels")
 {
   const Problem& p = problem();
-  Thresholds thresholds(p.field, asked);
+  Thresholds thresholds(p.field, requested);
   thresholds.set_mesh_ranges(p.ranges);
   thresholds.cap(0, CGAL::POSITIVE, 0);
   thresholds.set_constant({ -0.125, 0.375 });
@@ -392,7 +392,7 @@ TEST_CASE("Shell thresholds: a varying thickness is reproduced where no cap narr
 TEST_CASE("Shell thresholds: the result does not depend on the number of threads")
 {
   const Problem& p = problem();
-  Thresholds thresholds(p.field, asked);
+  Thresholds thresholds(p.field, requested);
   thresholds.set_mesh_ranges(p.ranges);
   thresholds.cap(5, CGAL::POSITIVE, 0.1);
   const Field one = thresholds.threshold<CGAL::Sequential_tag>(CGAL::POSITIVE),

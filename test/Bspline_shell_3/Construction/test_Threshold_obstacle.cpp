@@ -82,7 +82,7 @@ TEST_CASE("Culprits: a culprit shares a function with the obstacle's cell, and i
         for(Index d = 0; d < ranges.size(); ++d) {
           const bool expected = is_too_large(d) && share_a_function(here, functions(*field, d));
           missed += expected && !contains(causing_cells, d);
-          // On cells of different sizes, some causing_cells are between the cells in the supports.
+          // On cells of different sizes, some causing cells are between the cells in the supports.
           wrong += contains(causing_cells, d) && !(field == &equal ? expected : is_too_large(d));
         }
       }

@@ -334,6 +334,7 @@ TEST_CASE("A solver may be passed by value or by reference, and its failure is r
   CHECK_FALSE(failed);
   CHECK(failed.status() == Status::SOLVER_FAILED);
   CHECK(failed.report().fit.status == BS::Solver_status::NOT_CONVERGED);
+  CHECK(failed.message() == message(BS::Solver_status::NOT_CONVERGED));
 }
 
 TEST_CASE("A solver that returns zeros, garbage or a vector of the wrong size with SUCCESS is detected")
@@ -624,7 +625,7 @@ TEST_CASE("A default-constructed shell is empty")
   const Shell shell;
   CHECK_FALSE(shell);
   CHECK(shell.status() == Status::NOT_BUILT);
-  for(int s = 0; s <= int(Status::CANCELED); ++s) CHECK_FALSE(std::string(BS::message(Status(s))).empty());
+  for(int s = 0; s <= int(Status::TIME_LIMIT_EXCEEDED); ++s) CHECK_FALSE(std::string(BS::message(Status(s))).empty());
 }
 
 TEST_CASE("The library prints nothing")

@@ -300,8 +300,8 @@ TEST_CASE("Certified shells: each limit of refinement has a message")
            "raise it (memory_limit).");
   limit.resource = BS::Refinement_resource::NUMBERS;
   CHECK(message(limit)
-        == "Another round of refinement would have 1200 cells and more unknowns than can be numbered: request a "
-           "thicker shell.");
+        == "Another round of refinement would have 1200 cells and more unknowns than can be numbered: see the "
+           "obstacles in the report.");
   limit.resource = BS::Refinement_resource::EFFORT;
   CHECK(message(limit)
         == "Another round of refinement would have 1200 cells, and all rounds together would exceed the effort limit: "
@@ -359,7 +359,9 @@ TEST_CASE("Certified shells: invalid parameters, rejected meshes and cancellatio
     std::size_t iterations() const { return 1; }
     double residual() const { return 0; }
   };
-  CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::spd_solver(Zeros())).status() == Status::SOLVER_FAILED);
+  const auto unsolved = CGAL::certified_bspline_shell_3(mesh, parameters::spd_solver(Zeros()));
+  CHECK(unsolved.status() == Status::SOLVER_FAILED);
+  CHECK(unsolved.message() == message(BS::Solver_status::WRONG_SOLUTION));
   CHECK(CGAL::certified_bspline_shell_3(together(sphere(1), sphere(1))).status() == Status::SELF_INTERSECTION);
   struct Canceling
   {

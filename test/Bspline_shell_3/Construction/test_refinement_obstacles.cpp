@@ -84,7 +84,7 @@ TEST_CASE("Obstacles: if a limit ends refinement, the report has the wall, its l
   CHECK(wrong == 0);
   CHECK(obstacles.front().gap == Approx(thickness).epsilon(1e-6));
   CHECK(std::is_sorted(obstacles.begin(), obstacles.end(), [](const auto& a, const auto& b) { return a.gap < b.gap; }));
-  const std::string sentence = message(obstacles.front(), shell.report().unit);
+  const std::string sentence = message(obstacles.front(), shell.report().unit, shell.report().refinement);
   CHECK(sentence.find("The wall at ") == 0);
   CHECK(sentence.find(" is 0.2 % of the bounding box thick, and cells are ") != std::string::npos);
   CHECK(sentence.find(" wide; cells of 0.1 % may be needed.") != std::string::npos);
@@ -100,12 +100,20 @@ TEST_CASE("Obstacles: messages name a gap or a wall, or the missing proof if not
   BS::Refinement_obstacle o;
   o.point = { 1, 2, 3 };
   o.cell_width = 0.5;
-  CHECK(message(o, 10) == "The proof fails at 1 2 3, where cells are 5 % of the bounding box wide.");
+  const auto sentence = [&o](BS::Refinement_status refinement) { return BS::message(o, 10, refinement); };
+  using BS::Refinement_status;
+  CHECK(sentence(Refinement_status::LIMIT_REACHED)
+        == "The proof fails at 1 2 3, where cells are 5 % of the bounding box wide.");
   o.gap = 0.1;
-  CHECK(message(o, 10)
+  CHECK(sentence(Refinement_status::LIMIT_REACHED)
         == "The gap at 1 2 3 is 1 % of the bounding box wide, and cells are 5 % wide; cells of 0.5 % may be needed.");
+  // Smaller cells made no progress, so they are not suggested.
+  CHECK(sentence(Refinement_status::NO_PROGRESS)
+        == "The gap at 1 2 3 is 1 % of the bounding box wide, and cells are 5 % wide: remove it if it is an error of "
+           "the mesh, or try a smaller thickness there (sizing).");
   o.is_wall = true;
   o.gap = 1;
-  CHECK(message(o, 10) == "The wall at 1 2 3 is 10 % of the bounding box thick, and cells are 5 % wide.");
+  CHECK(sentence(Refinement_status::NO_PROGRESS)
+        == "The wall at 1 2 3 is 10 % of the bounding box thick, and cells are 5 % wide.");
 }
 } // namespace test_refinement_obstacles

@@ -751,13 +751,13 @@ TEST_CASE("Simplification: a Polyhedron_3 is simplified with other costs, until 
   Polyhedron mesh;
   CGAL::copy_face_graph(sphere(2), mesh);
   const std::size_t vertices = num_vertices(mesh);
-  std::size_t asked = 0;
-  const auto cancel = [&](const auto&, const auto&, std::size_t, std::size_t) { return ++asked > 40; };
+  std::size_t calls = 0;
+  const auto cancel = [&](const auto&, const auto&, std::size_t, std::size_t) { return ++calls > 40; };
   const auto result = BS::simplify_in_shell<CGAL::Sequential_tag>(
     mesh, sphere_shell(),
     P::stop(cancel).get_cost(SMS::Edge_length_cost<Polyhedron>()).get_placement(SMS::Midpoint_placement<Polyhedron>()));
   REQUIRE(result);
-  CHECK(asked == 41);
+  CHECK(calls == 41);
   CHECK(result.end == BS::Edit_termination::STOP_PREDICATE);
   CHECK(result.collapsed > 0);
   CHECK(result.collapsed <= 40);

@@ -83,24 +83,24 @@ TEST_CASE("Curve error: curves are traced again until the tolerance is met, or t
   {
     BS::internal::Image_error error;
   };
-  std::vector<double> asked;
+  std::vector<double> tolerances;
   Result result;
   const auto keep = [&](double at_image, double at_start, double least_at_image, double least_at_start) {
-    asked.clear();
+    tolerances.clear();
     return BS::internal::keep_tolerance(1e-9, result, [&](double step_tolerance, Result& result) {
-      asked.push_back(step_tolerance);
+      tolerances.push_back(step_tolerance);
       result.error = { (std::max)(at_image * step_tolerance, least_at_image),
                        (std::max)(at_start * step_tolerance, least_at_start) };
       return Flow_status::SUCCESS;
     });
   };
   CHECK(keep(0.4, 0.4, 0, 0) == Flow_status::SUCCESS);
-  CHECK(asked.size() == 1);
+  CHECK(tolerances.size() == 1);
   CHECK(keep(500, 0.4, 0, 0) == Flow_status::SUCCESS);
-  CHECK(asked.size() == 2);
+  CHECK(tolerances.size() == 2);
   CHECK(result.error.at_image <= 1e-9);
   CHECK(keep(0.4, 500, 0, 0) == Flow_status::SUCCESS);
-  CHECK(asked.size() == 2);
+  CHECK(tolerances.size() == 2);
   CHECK(result.error.at_start <= 1e-9);
   // rounding at the image, and at the start
   CHECK(keep(1, 1, 2e-9, 0) == Flow_status::TOLERANCE_NOT_MET);

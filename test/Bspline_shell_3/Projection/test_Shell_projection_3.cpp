@@ -425,7 +425,7 @@ TEST_CASE("Projection: the start of the search affects the image by no more than
     const Image reference = project(p);
     REQUIRE(reference.status == Flow_status::SUCCESS);
     Projection::Hint hint;
-    hint.facet = Projection::Target::Index(random.get_int(0, int(facets))); // mostly far away
+    hint.facet = Projection::Target::Index(random.get_int(0, int(facets))); // usually far away
     const Image image = project(p, hint);
     check_consistent(radial_shell(), mesh, image, project.tolerance());
     CHECK(distance(image.point, reference.point) <= 2 * project.tolerance());

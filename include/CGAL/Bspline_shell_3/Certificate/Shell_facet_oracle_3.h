@@ -43,7 +43,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Certificate
-/// which of the facets that it accepts a `Shell_facet_oracle_3` proves
+/// the accepted facets that a `Shell_facet_oracle_3` proves
 enum class Facet_proofs
 {
   ALL,

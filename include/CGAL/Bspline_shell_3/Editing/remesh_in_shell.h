@@ -67,8 +67,8 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *
  * \param mesh a closed mesh in the shell, or a mesh with the border of `Bspline_shell_3::closing()`; often the mesh for
  *   which the shell was built. Unless it was edited, it is unchanged at the end. It may have been restored, in the
- *   cases and in the way that `simplify_in_shell()` describes, and after `INVALID_PARAMETER` if a length that was
- *   requested during the edit is invalid. Constrained edges that lead to a truncated tip end where the tip is cut off.
+ *   cases and in the way that `simplify_in_shell()` describes. It was also restored if a length requested during the
+ *   edit is invalid (`INVALID_PARAMETER`). Constrained edges that lead to a truncated tip end where the tip is cut off.
  * \param target_edge_length the length of edges, or a function that returns the length of edges near a point; in the
  *   units of the coordinates, positive and finite. There must be less than 2^30 facets. `Edit_report::end` is the
  *   reason why edges may have other lengths at the end.

@@ -53,10 +53,10 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  * other mesh that is certified in the same shell, in particular the mesh for which a certified shell was built.
  *
  * Edges are collapsed by `CGAL::Surface_mesh_simplification::edge_collapse()` with `Shell_filter`, cheapest first. If
- * the policy's placement is rejected, other placements are tried in the order of their costs: the ends and the midpoint
- * of the edge, and the policy's placement and the midpoint, moved along the gradient to the mean value of the field at
- * the ends. A rejected edge is considered again when its neighborhood has changed. Edges of length zero are collapsed
- * first, which does not change the surface.
+ * the policy's placement is rejected, other placements are tried in the order of their costs. These are the ends and
+ * the midpoint of the edge. Two more are the policy's placement and the midpoint, moved along the gradient to the mean
+ * value of the field at the ends. A rejected edge is considered again when its neighborhood has changed. Edges of
+ * length zero are collapsed first, which does not change the surface.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`, used for proofs; all give
  *   the same result
@@ -153,10 +153,10 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *   immediately. The costs of the policy are initialized again for the repetition, and a map of constrained edges has
  *   its original values.
  *
- * \cgalHeading{Cost} For each facet at the new vertex, a collapse evaluates the field at a few points, or proves the
- *   facet with a bound for each cell that it passes through. The certificate takes as long as for any mesh in the
- *   shell; if it fails, the mesh may be simplified twice. `locate_vertices` builds a search tree for the facets of the
- *   result, and projects each vertex.
+ * \cgalHeading{Cost} For each facet at the new vertex, a collapse evaluates the field at a few points, or proves it
+ *   with a bound for each cell that it meets. The certificate takes as long as for any mesh in the shell; if it fails,
+ *   the mesh may be simplified twice. `locate_vertices` builds a search tree for the facets of the result, and projects
+ *   each vertex.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename TriangleMesh, typename Field,
           typename Threshold, typename CGAL_NP_TEMPLATE_PARAMETERS>

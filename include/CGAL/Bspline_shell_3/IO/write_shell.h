@@ -198,9 +198,8 @@ void write_binary_shell(File_output& out, const Shell& shell)
  * \param out a stream opened with `std::ios::binary`; its locale is ignored
  * \param shell the shell
  * \param format binary files are shorter than text files and are written faster
- * \return `NOT_A_SHELL` if there is no shell, or if it has numbers that are not finite or corners that are not exact,
- *   in which case nothing is written. Shells of `bspline_shell_3()` and `certified_bspline_shell_3()` can always be
- *   written.
+ * \return `NOT_A_SHELL` if there is no shell, or if it has numbers that are not finite or corners that are not exact.
+ *   Nothing is written then. Shells of `bspline_shell_3()` and `certified_bspline_shell_3()` can always be written.
  * \cgalHeading{Cost} Linear in the size of the file.
  */
 template <typename Field, typename Threshold>
