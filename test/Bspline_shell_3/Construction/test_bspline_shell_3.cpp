@@ -167,26 +167,11 @@ TEST_CASE("A shell encloses its mesh")
   const auto check = [](const Mesh& mesh, double resolution) {
     check_shell(CGAL::bspline_shell_3(mesh, P::resolution(resolution)), mesh);
   };
-  SECTION("a smooth mesh")
-  {
-    check(sphere(2), 16);
-  }
-  SECTION("a mesh of polygons")
-  {
-    check(box(Point_3(0, 0, 0), Point_3(3, 2, 1), false), 16);
-  }
-  SECTION("a torus")
-  {
-    check(torus(3, 1.2, 20, 12), 16);
-  }
-  SECTION("facets larger than cells, away from the origin")
-  {
-    check(sphere(0, 2, Point_3(70, -30, 10)), 20);
-  }
-  SECTION("a demo mesh of CGAL")
-  {
-    check(demo_mesh("blobby.off"), 20);
-  }
+  SECTION("a smooth mesh") check(sphere(2), 16);
+  SECTION("a mesh of polygons") check(box(Point_3(0, 0, 0), Point_3(3, 2, 1), false), 16);
+  SECTION("a torus") check(torus(3, 1.2, 20, 12), 16);
+  SECTION("facets larger than cells, away from the origin") check(sphere(0, 2, Point_3(70, -30, 10)), 20);
+  SECTION("a demo mesh of CGAL") check(demo_mesh("blobby.off"), 20);
 }
 
 TEST_CASE("A mesh with removed facets has one facet range per remaining facet")

@@ -34,10 +34,7 @@ TEST_CASE("Shell files: a shell is read exactly as it was written")
     CHECK(text.substr(text.size() - 26) == "checksum " + BS::Checksum::text(BS::shell_checksum(shell)) + "\n");
   };
   namespace P = CGAL::Bspline_shells::parameters;
-  SECTION("a shell of a mesh")
-  {
-    check(CGAL::bspline_shell_3(sphere(2), P::resolution(12)));
-  }
+  SECTION("a shell of a mesh") check(CGAL::bspline_shell_3(sphere(2), P::resolution(12)));
   SECTION("polygons far from the origin")
   {
     check(
@@ -54,14 +51,8 @@ TEST_CASE("Shell files: a shell is read exactly as it was written")
     CGAL::copy_face_graph(sphere(1, 1, Point_3(40, 50, 60)), two);
     check(CGAL::bspline_shell_3(two, P::resolution(120)));
   }
-  SECTION("a small shell")
-  {
-    check(small_shell());
-  }
-  SECTION("cells of different sizes, and varying thresholds")
-  {
-    check(small_varying_shell());
-  }
+  SECTION("a small shell") check(small_shell());
+  SECTION("cells of different sizes, and varying thresholds") check(small_varying_shell());
   SECTION("many levels of cells")
   {
     CGAL::Random random(3);

@@ -284,18 +284,9 @@ struct Ball
 
 TEST_CASE("Signed distance: distance and sign agree with an exact search through all facets")
 {
-  SECTION("torus")
-  {
-    check_against_brute_force(torus(1, 0.5, 8, 6), 60, 1.5);
-  }
-  SECTION("inside out")
-  {
-    check_against_brute_force(turned_inside_out(torus(1, 0.5, 8, 6)), 60, 1.5);
-  }
-  SECTION("with a cavity")
-  {
-    check_against_brute_force(both(sphere(0), turned_inside_out(sphere(0, 0.6))), 80, 1.);
-  }
+  SECTION("torus") check_against_brute_force(torus(1, 0.5, 8, 6), 60, 1.5);
+  SECTION("inside out") check_against_brute_force(turned_inside_out(torus(1, 0.5, 8, 6)), 60, 1.5);
+  SECTION("with a cavity") check_against_brute_force(both(sphere(0), turned_inside_out(sphere(0, 0.6))), 80, 1.);
   SECTION("two components")
   {
     check_against_brute_force(both(sphere(0, 0.7, Point_3(-1, 0, 0)), box(Point_3(0, -1, -1), Point_3(1, 1, 1))), 80,
@@ -407,70 +398,22 @@ TEST_CASE("Signed distance: the start of the search does not affect the result")
 
 TEST_CASE("Signed distance: the closest point determines the side, even at creases, saddles, needles and thin parts")
 {
-  SECTION("smooth")
-  {
-    check_sides(sphere(1));
-  }
-  SECTION("saddles")
-  {
-    check_sides(torus(1, 0.5, 8, 6));
-  }
-  SECTION("creases of all kinds")
-  {
-    check_sides(star(5, 0.3, 1, 0.2, 0.5));
-  }
-  SECTION("sharp creases")
-  {
-    check_sides(star(7, 0.2, 1, 0, 0.01));
-  }
-  SECTION("very sharp creases")
-  {
-    check_sides(star(4, 0.9, 1, 0, 1e-4));
-  }
-  SECTION("spikes")
-  {
-    check_sides(star(3, 0.01, 1, 0.01, 0.02));
-  }
-  SECTION("deep folds")
-  {
-    check_sides(star(6, 0.1, 1, 0.3, 0.05));
-  }
-  SECTION("a plate")
-  {
-    check_sides(box(Point_3(-1, -1, 0), Point_3(1, 1, 1e-3)));
-  }
-  SECTION("a thin plate")
-  {
-    check_sides(box(Point_3(-1, -0.7, 0.3), Point_3(1, 0.7, 0.3 + 1e-6)));
-  }
-  SECTION("a rod")
-  {
-    check_sides(box(Point_3(-1, 0.1, 0.3), Point_3(1, 0.1 + 1e-4, 0.3 + 1e-4)));
-  }
-  SECTION("needles")
-  {
-    check_sides(with_needles(sphere(1), 1e-4));
-  }
-  SECTION("thin needles")
-  {
-    check_sides(with_needles(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), 1e-8));
-  }
-  SECTION("needles at creases")
-  {
-    check_sides(with_needles(star(5, 0.3, 1, 0.2, 0.5), 1e-6));
-  }
-  SECTION("thin needles at sharp creases")
-  {
-    check_sides(with_needles(star(5, 0.3, 1, 0, 0.01), 1e-8));
-  }
-  SECTION("needles as thin as one ulp, at creases")
-  {
-    check_sides(with_needles(star(5, 0.3, 1, 0, 0.5), 1e-14));
-  }
-  SECTION("a cavity")
-  {
-    check_sides(both(sphere(1), turned_inside_out(sphere(1, 0.99))));
-  }
+  SECTION("smooth") check_sides(sphere(1));
+  SECTION("saddles") check_sides(torus(1, 0.5, 8, 6));
+  SECTION("creases of all kinds") check_sides(star(5, 0.3, 1, 0.2, 0.5));
+  SECTION("sharp creases") check_sides(star(7, 0.2, 1, 0, 0.01));
+  SECTION("very sharp creases") check_sides(star(4, 0.9, 1, 0, 1e-4));
+  SECTION("spikes") check_sides(star(3, 0.01, 1, 0.01, 0.02));
+  SECTION("deep folds") check_sides(star(6, 0.1, 1, 0.3, 0.05));
+  SECTION("a plate") check_sides(box(Point_3(-1, -1, 0), Point_3(1, 1, 1e-3)));
+  SECTION("a thin plate") check_sides(box(Point_3(-1, -0.7, 0.3), Point_3(1, 0.7, 0.3 + 1e-6)));
+  SECTION("a rod") check_sides(box(Point_3(-1, 0.1, 0.3), Point_3(1, 0.1 + 1e-4, 0.3 + 1e-4)));
+  SECTION("needles") check_sides(with_needles(sphere(1), 1e-4));
+  SECTION("thin needles") check_sides(with_needles(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), 1e-8));
+  SECTION("needles at creases") check_sides(with_needles(star(5, 0.3, 1, 0.2, 0.5), 1e-6));
+  SECTION("thin needles at sharp creases") check_sides(with_needles(star(5, 0.3, 1, 0, 0.01), 1e-8));
+  SECTION("needles as thin as one ulp, at creases") check_sides(with_needles(star(5, 0.3, 1, 0, 0.5), 1e-14));
+  SECTION("a cavity") check_sides(both(sphere(1), turned_inside_out(sphere(1, 0.99))));
   SECTION("far from the origin")
   {
     for(Mesh mesh : { torus(1, 0.5, 8, 6), star(7, 0.2, 1, 0, 0.01), with_needles(sphere(1), 1e-4) }) {
@@ -522,34 +465,16 @@ TEST_CASE("Distance samples: all samples together form a uniform lattice, with t
 
 TEST_CASE("Distance samples: samples of many cells agree with single queries", "[slow]")
 {
-  SECTION("a torus")
-  {
-    check_samples(torus(1, 0.5, 24, 16), 0.13, 2);
-  }
-  SECTION("inside out")
-  {
-    check_samples(turned_inside_out(torus(1, 0.5, 12, 8)), 0.2, 2);
-  }
-  SECTION("a mesh with a cavity")
-  {
-    check_samples(both(sphere(2), turned_inside_out(sphere(2, 0.5))), 0.12, 2);
-  }
+  SECTION("a torus") check_samples(torus(1, 0.5, 24, 16), 0.13, 2);
+  SECTION("inside out") check_samples(turned_inside_out(torus(1, 0.5, 12, 8)), 0.2, 2);
+  SECTION("a mesh with a cavity") check_samples(both(sphere(2), turned_inside_out(sphere(2, 0.5))), 0.12, 2);
   SECTION("two components")
   {
     check_samples(both(sphere(2, 0.7, Point_3(-1, 0, 0)), box(Point_3(0, -1, -1), Point_3(1, 1, 1))), 0.15, 3);
   }
-  SECTION("a box in lattice planes")
-  {
-    check_samples(box(Point_3(-.5, -.5, -.5), Point_3(.5, .5, .5)), 0.125, 2);
-  }
-  SECTION("cells that do not touch the mesh")
-  {
-    check_samples(sphere(3), 0.11, 4);
-  }
-  SECTION("folds")
-  {
-    check_samples(star(5, 0.3, 1, 0.2, 0.5), 0.11, 2);
-  }
+  SECTION("a box in lattice planes") check_samples(box(Point_3(-.5, -.5, -.5), Point_3(.5, .5, .5)), 0.125, 2);
+  SECTION("cells that do not touch the mesh") check_samples(sphere(3), 0.11, 4);
+  SECTION("folds") check_samples(star(5, 0.3, 1, 0.2, 0.5), 0.11, 2);
 }
 
 TEST_CASE("Distance samples: the oracle may be given by the user")

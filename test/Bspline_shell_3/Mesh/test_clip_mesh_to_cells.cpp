@@ -318,24 +318,12 @@ const BS::Lattice_3 quarters(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.25);
 
 TEST_CASE("Clipped mesh: pieces lie in their cells and facets, and their areas add up")
 {
-  SECTION("facets larger than cells")
-  {
-    check_clip(sphere(1), 0.21, Point_3(0.01, 0.02, -0.03));
-  }
-  SECTION("facets smaller than cells")
-  {
-    check_clip(sphere(2), 0.5, Point_3(0.03, 0.01, 0.02));
-  }
-  SECTION("far from the origin")
-  {
-    check_clip(sphere(1, 1, Point_3(1e6, -1e6, 12345)), 0.3, Point_3(1e6, -1e6, 12345));
-  }
+  SECTION("facets larger than cells") check_clip(sphere(1), 0.21, Point_3(0.01, 0.02, -0.03));
+  SECTION("facets smaller than cells") check_clip(sphere(2), 0.5, Point_3(0.03, 0.01, 0.02));
+  SECTION("far from the origin") check_clip(sphere(1, 1, Point_3(1e6, -1e6, 12345)), 0.3, Point_3(1e6, -1e6, 12345));
   // If an edge is one bit away from a plane, its points cannot be distinguished from close points, so edges are not
   // compared.
-  SECTION("edges one ulp away from lattice planes")
-  {
-    check_clip(torus(1, 0.5, 12, 8), 0.25, CGAL::ORIGIN, false);
-  }
+  SECTION("edges one ulp away from lattice planes") check_clip(torus(1, 0.5, 12, 8), 0.25, CGAL::ORIGIN, false);
   SECTION("edges in lattice planes")
   {
     Mesh mesh = torus(1, 0.5, 12, 8);
@@ -344,18 +332,9 @@ TEST_CASE("Clipped mesh: pieces lie in their cells and facets, and their areas a
       mesh.point(v) = Point_3(snap(mesh.point(v).x()), snap(mesh.point(v).y()), snap(mesh.point(v).z()));
     check_clip(mesh, 0.25);
   }
-  SECTION("axis-aligned, in lattice planes")
-  {
-    check_clip(box(Point_3(-.5, -.5, -.5), Point_3(.5, .5, .75)), 0.25);
-  }
-  SECTION("axis-aligned, next to lattice planes")
-  {
-    check_clip(box(Point_3(-.6, -.5, -.4), Point_3(.7, .6, .9)), 0.3);
-  }
-  SECTION("through lattice corners")
-  {
-    check_clip(octahedron(1), 0.25);
-  }
+  SECTION("axis-aligned, in lattice planes") check_clip(box(Point_3(-.5, -.5, -.5), Point_3(.5, .5, .75)), 0.25);
+  SECTION("axis-aligned, next to lattice planes") check_clip(box(Point_3(-.6, -.5, -.4), Point_3(.7, .6, .9)), 0.3);
+  SECTION("through lattice corners") check_clip(octahedron(1), 0.25);
 }
 
 TEST_CASE("Cells near a mesh: all cells near samples are found, and each has a part of the mesh in its enlarged box")
@@ -547,14 +526,8 @@ TEST_CASE("Clipped mesh: a facet between two cells belongs to the one behind it"
 
 TEST_CASE("Clipped mesh: on a hierarchy, pieces lie in their leaves and facets, and their areas add up")
 {
-  SECTION("facets larger than cells")
-  {
-    check_clip_to_leaves(sphere(1), 0.37, Point_3(0.01, 0.02, -0.03));
-  }
-  SECTION("facets smaller than cells")
-  {
-    check_clip_to_leaves(sphere(2), 0.8, Point_3(0.03, 0.01, 0.02));
-  }
+  SECTION("facets larger than cells") check_clip_to_leaves(sphere(1), 0.37, Point_3(0.01, 0.02, -0.03));
+  SECTION("facets smaller than cells") check_clip_to_leaves(sphere(2), 0.8, Point_3(0.03, 0.01, 0.02));
   SECTION("far from the origin")
   {
     check_clip_to_leaves(sphere(1, 1, Point_3(1e5, -1e5, 12345)), 0.5, Point_3(100000.03, -99999.98, 12345.01));
@@ -569,10 +542,7 @@ TEST_CASE("Clipped mesh: on a hierarchy, pieces lie in their leaves and facets, 
   {
     check_clip_to_leaves(box(Point_3(-.6, -.5, -.4), Point_3(.7, .6, .9)), 0.3);
   }
-  SECTION("through lattice corners")
-  {
-    check_clip_to_leaves(octahedron(1), 0.5, CGAL::ORIGIN, false);
-  }
+  SECTION("through lattice corners") check_clip_to_leaves(octahedron(1), 0.5, CGAL::ORIGIN, false);
   SECTION("needles")
   {
     const Point_3 a(-.9, -.8, -.7), b(.8, .9, .6);
