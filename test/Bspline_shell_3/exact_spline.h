@@ -3,19 +3,10 @@
 #ifndef EXACT_SPLINE_H
 #define EXACT_SPLINE_H
 
-#include <CGAL/Exact_rational.h>
+#include "exact_vectors.h"
 
 #include <array>
 #include <cmath>
-
-typedef CGAL::Exact_rational Rational;
-typedef std::array<Rational, 3> Exact_point;
-
-template <typename Point>
-Exact_point exact(const Point& p)
-{
-  return { Rational(p[0]), Rational(p[1]), Rational(p[2]) };
-}
 
 // Returns Eq. 3.1 of the paper as printed, or its pieces differentiated by hand.
 inline Rational bspline(const Rational& t, int order)
@@ -64,9 +55,18 @@ Rational exact_value(const Field& field, const Exact_point& p, const std::array<
   return sum;
 }
 
+typedef std::array<Rational, 64> Exact_coefficients;
+
+inline Exact_coefficients exact_coefficients(const std::array<double, 64>& b)
+{
+  Exact_coefficients exact;
+  for(int n = 0; n < 64; ++n) exact[n] = Rational(b[n]);
+  return exact;
+}
+
 // Returns the polynomial with the given Bernstein coefficients on a cell, or a derivative of order at most two along
 // each axis, per unit of the cell.
-inline Rational bernstein_value(const std::array<Rational, 64>& b, const Exact_point& t,
+inline Rational bernstein_value(const Exact_coefficients& b, const Exact_point& t,
                                 const std::array<int, 3>& order = { 0, 0, 0 })
 {
   std::array<Rational, 4> w[3];

@@ -80,6 +80,17 @@ struct Fit_problem
   }
 };
 
+// Returns the lower triangle of (a b; b c).
+inline Eigen::SparseMatrix<double> lower_triangle(double a, double b, double c)
+{
+  Eigen::SparseMatrix<double> lower(2, 2);
+  lower.insert(0, 0) = a;
+  lower.insert(1, 0) = b;
+  lower.insert(1, 1) = c;
+  lower.makeCompressed();
+  return lower;
+}
+
 // Returns the coefficient of t^2 at the lattice coordinate i.
 inline double square_coefficient(double i)
 {

@@ -80,13 +80,19 @@ double distance_to_ball(const Point_3& p)
   return std::sqrt(CGAL::squared_distance(p, Point_3(0, 0, 0))) - 0.95;
 }
 
+// Neither default-constructed, nor copied, nor assigned.
+struct Unique
+{
+  explicit Unique(int) {}
+  Unique(const Unique&) = delete;
+  Unique& operator=(const Unique&) = delete;
+};
+
 // SPDSolver: dense Cholesky factorization
-class Solver_archetype
+class Solver_archetype : Unique
 {
 public:
-  explicit Solver_archetype(int) {}
-  Solver_archetype(const Solver_archetype&) = delete;
-  Solver_archetype& operator=(const Solver_archetype&) = delete;
+  using Unique::Unique;
 
   BS::Solver_status compute(const Eigen::SparseMatrix<double>& lower, const BS::Unknown_blocks&)
   {
@@ -106,12 +112,10 @@ private:
 };
 
 // ShellVisitor
-class Visitor_archetype
+class Visitor_archetype : Unique
 {
 public:
-  explicit Visitor_archetype(int) {}
-  Visitor_archetype(const Visitor_archetype&) = delete;
-  Visitor_archetype& operator=(const Visitor_archetype&) = delete;
+  using Unique::Unique;
   bool start_step(BS::Shell_step)
   {
     ++calls;
@@ -121,12 +125,10 @@ public:
 };
 
 // RemeshingVisitor
-class Remeshing_visitor_archetype
+class Remeshing_visitor_archetype : Unique
 {
 public:
-  explicit Remeshing_visitor_archetype(int) {}
-  Remeshing_visitor_archetype(const Remeshing_visitor_archetype&) = delete;
-  Remeshing_visitor_archetype& operator=(const Remeshing_visitor_archetype&) = delete;
+  using Unique::Unique;
   bool start_iteration(unsigned int) { return true; }
   bool go_on()
   {
@@ -137,12 +139,10 @@ public:
 };
 
 // FlowVisitor
-class Flow_visitor_archetype
+class Flow_visitor_archetype : Unique
 {
 public:
-  explicit Flow_visitor_archetype(int) {}
-  Flow_visitor_archetype(const Flow_visitor_archetype&) = delete;
-  Flow_visitor_archetype& operator=(const Flow_visitor_archetype&) = delete;
+  using Unique::Unique;
   bool advance(std::size_t, std::size_t)
   {
     ++calls;
@@ -174,12 +174,10 @@ public:
 };
 
 // A mapping of transferred values: neither copied nor assigned.
-class Mapping_archetype
+class Mapping_archetype : Unique
 {
 public:
-  explicit Mapping_archetype(int) {}
-  Mapping_archetype(const Mapping_archetype&) = delete;
-  Mapping_archetype& operator=(const Mapping_archetype&) = delete;
+  using Unique::Unique;
   Value_archetype operator()(const Value_archetype& value, const BS::Flow_differential& d) const
   {
     return Value_archetype(value.m_value * d.matrix.determinant(), 0);
@@ -269,34 +267,28 @@ void check_field_interface()
   typedef typename Field::Cell_index Cell_index;
   typedef typename Field::Cell Cell;
   typedef typename Field::Point_3 Point_3;
-  static_assert(std::is_default_constructible<Field>::value, "");
-  static_assert(std::is_copy_constructible<Field>::value && std::is_move_constructible<Field>::value, "");
-  static_assert(std::is_integral<Cell_index>::value, "");
-  static_assert(std::is_same<std::remove_cv_t<decltype(Field::npos)>, Cell_index>::value, "");
+  static_assert(std::is_default_constructible_v<Field>);
+  static_assert(std::is_copy_constructible_v<Field> && std::is_move_constructible_v<Field>);
+  static_assert(std::is_integral_v<Cell_index>);
+  static_assert(std::is_same_v<std::remove_cv_t<decltype(Field::npos)>, Cell_index>);
   typedef const Field& F;
-  static_assert(std::is_same<decltype(std::declval<F>().number_of_cells()), std::size_t>::value, "");
-  static_assert(std::is_same<decltype(std::declval<F>().cell(Cell_index())), Cell>::value, "");
-  static_assert(std::is_same<decltype(std::declval<F>().locate(std::declval<const Point_3&>())), Cell_index>::value,
-                "");
-  static_assert(std::is_same<decltype(std::declval<F>().has_exact_cells()), bool>::value, "");
+  static_assert(std::is_same_v<decltype(std::declval<F>().number_of_cells()), std::size_t>);
+  static_assert(std::is_same_v<decltype(std::declval<F>().cell(Cell_index())), Cell>);
+  static_assert(std::is_same_v<decltype(std::declval<F>().locate(std::declval<const Point_3&>())), Cell_index>);
+  static_assert(std::is_same_v<decltype(std::declval<F>().has_exact_cells()), bool>);
   static_assert(
-    std::is_same<decltype(std::declval<F>().visit_neighbors(Cell_index(), 0, true, Cell_visitor<Cell_index>())),
-                 bool>::value,
-    "");
-  static_assert(std::is_same<decltype(std::declval<F>().template bernstein_coefficients<float>(Cell_index())),
-                             std::array<float, 64> >::value,
-                "");
-  static_assert(std::is_same<decltype(std::declval<F>().value(std::declval<const Point_3&>())),
-                             std::optional<typename Field::FT> >::value,
-                "");
-  static_assert(std::is_same<decltype(std::declval<F>().gradient(std::declval<const Point_3&>())),
-                             std::optional<typename Field::Vector_3> >::value,
-                "");
-  static_assert(std::is_same<decltype(std::declval<F>().hessian(std::declval<const Point_3&>())),
-                             std::optional<Eigen::Matrix3d> >::value,
-                "");
+    std::is_same_v<decltype(std::declval<F>().visit_neighbors(Cell_index(), 0, true, Cell_visitor<Cell_index>())),
+                   bool>);
+  static_assert(std::is_same_v<decltype(std::declval<F>().template bernstein_coefficients<float>(Cell_index())),
+                               std::array<float, 64> >);
+  static_assert(std::is_same_v<decltype(std::declval<F>().value(std::declval<const Point_3&>())),
+                               std::optional<typename Field::FT> >);
+  static_assert(std::is_same_v<decltype(std::declval<F>().gradient(std::declval<const Point_3&>())),
+                               std::optional<typename Field::Vector_3> >);
+  static_assert(std::is_same_v<decltype(std::declval<F>().hessian(std::declval<const Point_3&>())),
+                               std::optional<Eigen::Matrix3d> >);
   static_assert(
-    std::is_same<decltype(std::declval<F>().visit_cells(CGAL::Bbox_3(), Cell_visitor<Cell_index>())), bool>::value, "");
+    std::is_same_v<decltype(std::declval<F>().visit_cells(CGAL::Bbox_3(), Cell_visitor<Cell_index>())), bool>);
 }
 
 } // namespace

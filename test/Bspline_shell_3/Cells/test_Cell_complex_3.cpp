@@ -122,7 +122,7 @@ TEST_CASE("Lattice: all corners are doubles, even those of cells halved twelve t
 
 TEST_CASE("Lattice: is_exact() holds only if all corners are doubles, at any distance from the origin")
 {
-  int exact = 0, hopeless = 0;
+  int exact = 0, inexact = 0;
   for(int e = 0; e < 60; ++e) {
     const double distance = std::ldexp(1.2345, e);
     const CGAL::Bbox_3 box(distance, -distance, 0, distance + 1, -distance + 1, 1);
@@ -130,10 +130,10 @@ TEST_CASE("Lattice: is_exact() holds only if all corners are doubles, at any dis
     if(lattice.is_exact()) {
       ++exact;
       check_corners(lattice, box);
-    } else ++hopeless;
+    } else ++inexact;
   }
   CHECK(exact > 30); // at a distance of 2^30 cells, enough bits are left for a spacing with ten bits
-  CHECK(hopeless > 20);
+  CHECK(inexact > 20);
   CHECK_FALSE(Lattice(CGAL::Bbox_3(1e15, 0, 0, 1e15 + 1, 1, 1), 1e-3).is_exact());
   CHECK_FALSE(Lattice(CGAL::Bbox_3(0, 0, 0, inf, 1, 1), 1e-3).is_exact());
   CHECK_FALSE(Lattice(CGAL::Bbox_3(-1e308, 0, 0, 1e308, 1, 1), 1e-3).is_exact());

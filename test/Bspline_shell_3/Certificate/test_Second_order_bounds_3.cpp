@@ -1,5 +1,6 @@
 // Second_order_bounds_3.h: proved claims hold at all samples, by closed forms and by the predicates. Claims that just
 // fail are not proved. Most true claims are proved.
+#include "coefficient_functions.h"
 #include "exact_spline.h"
 #include "polynomial_fields.h"
 #include "random_hierarchies.h"
@@ -139,11 +140,22 @@ const Polynomial height = { { 1, { 0, 0, 1 } } }, nothing = { { 0, { 0, 0, 0 } }
 // -(x^2 + y^2) in the plane z = 0.1
 const Polynomial dome = { { -1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } }, { 1, { 0, 0, 1 } }, { -0.1, { 0, 0, 0 } } };
 
-// Returns a triangle in a horizontal plane, around the z-axis and facing upwards.
-Triangle horizontal(double radius, double z)
+// Returns an equilateral triangle around (x, x, z) that faces upwards.
+Triangle horizontal(double radius, double z, double x = 0)
 {
   const double h = radius * std::sqrt(0.75);
-  return { Point_3(radius, 0, z), Point_3(-radius / 2, h, z), Point_3(-radius / 2, -h, z) };
+  return { Point_3(x + radius, x, z), Point_3(x - radius / 2, x + h, z), Point_3(x - radius / 2, x - h, z) };
+}
+
+// Returns whether a triangle is proved to be in a shell whose outer (if `side` > 0) or inner threshold is beyond the
+// values at samples by a share of their range. The other threshold is far away.
+bool is_contained_with_margin(const Uniform_field& field, double side, double share, const Triangle& t,
+                              std::size_t most_bisections = many)
+{
+  const Extrema e = values(field, t);
+  const double margin = share * (e.highest - e.lowest);
+  return side > 0 ? is_contained(field, -9, e.highest + margin, t, most_bisections)
+                  : is_contained(field, e.lowest - margin, 9, t, most_bisections);
 }
 
 Triangle scaled(const Triangle& t, double scale)
@@ -168,9 +180,9 @@ TEST_CASE("Second-order bounds: proved claims hold at all samples, and claims th
     if(CGAL::collinear(t[0], t[1], t[2])) continue;
     const Extrema e = values(field, t);
     const double size = e.highest - e.lowest;
-    for(double hair : { 1e-9, 1e-3 }) {
-      CHECK_FALSE(is_contained(field, e.lowest - 1, e.highest - hair * size, t));
-      CHECK_FALSE(is_contained(field, e.lowest + hair * size, e.highest + 1, t));
+    for(double margin : { 1e-9, 1e-3 }) {
+      CHECK_FALSE(is_contained(field, e.lowest - 1, e.highest - margin * size, t));
+      CHECK_FALSE(is_contained(field, e.lowest + margin * size, e.highest + 1, t));
     }
     const double least = least_slope(field, t);
     for(double room : { 0.01, 0.2, 2. }) {
@@ -247,14 +259,12 @@ TEST_CASE("Second-order bounds: a slight peak in a facet or on an edge is detect
   const Triangle around_peak = horizontal(0.2, 0.1),
                  across_edge = { Point_3(-0.2, 0, 0.1), Point_3(0.2, 0, 0.1), Point_3(0, 0.2, 0.1) };
   for(const Triangle& t : { around_peak, across_edge })
-    for(double hair : { 1e-12, 1e-5 }) {
-      CHECK_FALSE(is_contained(field, -1, -hair, t));
-      if(hair > 1e-9) CHECK(is_contained(field, -1, hair, t));
+    for(double margin : { 1e-12, 1e-5 }) {
+      CHECK_FALSE(is_contained(field, -1, -margin, t));
+      if(margin > 1e-9) CHECK(is_contained(field, -1, margin, t));
     }
   // The bound is the best of its kind: it is attained in the middle of an equilateral triangle in one cell.
-  const Triangle in_a_cell = { Point_3(0.125 + 0.0625, 0.125, 0.1),
-                               Point_3(0.125 - 0.03125, 0.125 + 0.0625 * std::sqrt(0.75), 0.1),
-                               Point_3(0.125 - 0.03125, 0.125 - 0.0625 * std::sqrt(0.75), 0.1) };
+  const Triangle in_a_cell = horizontal(0.0625, 0.1, 0.125);
   const Uniform_field centered = uniform_field({ { -1, { 2, 0, 0 } },
                                                  { -1, { 0, 2, 0 } },
                                                  { 0.25, { 1, 0, 0 } },
@@ -264,17 +274,17 @@ TEST_CASE("Second-order bounds: a slight peak in a facet or on an edge is detect
   const double peak = 0.03125; // at (1/8, 1/8, 1/10)
   CHECK(is_contained(centered, -1, peak + 1e-12, in_a_cell, 0));
   CHECK_FALSE(is_contained(centered, -1, peak - 1e-12, in_a_cell));
-  const Uniform_field pit = uniform_field({ { 1, { 2, 0, 0 } },
-                                            { 1, { 0, 2, 0 } },
-                                            { -0.25, { 1, 0, 0 } },
-                                            { -0.25, { 0, 1, 0 } },
-                                            { 1, { 0, 0, 1 } },
-                                            { -0.1, { 0, 0, 0 } } });
-  CHECK(is_contained(pit, -peak - 1e-12, 1, in_a_cell, 0));
-  CHECK_FALSE(is_contained(pit, -peak + 1e-12, 1, in_a_cell));
+  const Uniform_field minimum = uniform_field({ { 1, { 2, 0, 0 } },
+                                                { 1, { 0, 2, 0 } },
+                                                { -0.25, { 1, 0, 0 } },
+                                                { -0.25, { 0, 1, 0 } },
+                                                { 1, { 0, 0, 1 } },
+                                                { -0.1, { 0, 0, 0 } } });
+  CHECK(is_contained(minimum, -peak - 1e-12, 1, in_a_cell, 0));
+  CHECK_FALSE(is_contained(minimum, -peak + 1e-12, 1, in_a_cell));
   for(double share : { 0.1, 0.2, 0.4 }) { // relative to the height above the corners
     CHECK_FALSE(is_contained(centered, -1, peak - share * 0.0625 * 0.0625, in_a_cell, 0));
-    CHECK_FALSE(is_contained(pit, -peak + share * 0.0625 * 0.0625, 1, in_a_cell, 0));
+    CHECK_FALSE(is_contained(minimum, -peak + share * 0.0625 * 0.0625, 1, in_a_cell, 0));
   }
   // At the other threshold, the corners decide, whatever the size of the facet.
   const Triangle large = horizontal(0.4, 0.1);
@@ -303,20 +313,15 @@ TEST_CASE("Second-order bounds: peaks at the most curved part of a cell, or due 
 {
   // -(x^3 + y^3), with a peak at (0.23, 0.23) in the cell from 0 to 1/4. Its largest second derivative in the cell is
   // nearly twice the mean.
-  constexpr double at = 0.23, radius = 0.015;
-  const Triangle corner = { Point_3(at + radius, at, 0.1), Point_3(at - radius / 2, at + radius * std::sqrt(0.75), 0.1),
-                            Point_3(at - radius / 2, at - radius * std::sqrt(0.75), 0.1) };
+  constexpr double at = 0.23;
+  const Triangle corner = horizontal(0.015, 0.1, at);
   // z x y, near the end of a cell where z is 1/4. The triangle is a needle along (1, -1); the field is higher in its
   // middle.
   constexpr double top = 0.245;
   const Triangle ridge = { Point_3(0.22, 0.02, top), Point_3(0.02, 0.22, top), Point_3(0.219, 0.019, top) };
   for(double sign : { 1., -1. }) {
     const auto contained = [&](const Polynomial& p, const Triangle& t, double share, std::size_t bisections) {
-      const Uniform_field field = uniform_field(p);
-      const Extrema e = values(field, t);
-      const double size = e.highest - e.lowest;
-      return sign > 0 ? is_contained(field, -1, e.highest + share * size, t, bisections)
-                      : is_contained(field, e.lowest - share * size, 1, t, bisections);
+      return is_contained_with_margin(uniform_field(p), sign, share, t, bisections);
     };
     const Polynomial cubic = { { -sign, { 3, 0, 0 } },
                                { -sign, { 0, 3, 0 } },
@@ -338,13 +343,11 @@ TEST_CASE("Second-order bounds: a facet that faces away only in cells without it
 {
   // z times a function of x that is close to |x|, and slightly negative at 0
   constexpr double width = 0.25;
-  for(double hair : { 1e-9, 0.1, -0.5 }) {
+  for(double margin : { 1e-9, 0.1, -0.5 }) {
     Uniform_field field(cells_of_cube());
-    Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
-    for(std::size_t n = 0; n < field.number_of_coefficients(); ++n) {
-      const auto& p = field.functions().point(Uniform_field::Cell_index(n));
-      x[Eigen::Index(n)] = p[2] * width * (std::abs(p[0]) - 1. / 3 - hair);
-    }
+    set_coefficients(field,
+                     [&](const Point_3& p, double) { return p.z() * (std::abs(p.x()) / width - 1. / 3 - margin); });
+    const Eigen::VectorXd x = field.coefficients();
     for(double z : { 0.1, -0.3 })
       for(double sign : { 1., -1. }) {
         field.set_coefficients(sign * x);
@@ -355,10 +358,10 @@ TEST_CASE("Second-order bounds: a facet that faces away only in cells without it
         for(double wanted : { 0., 100. })
           for(std::size_t bisections : { std::size_t(0), std::size_t(1), many }) {
             const auto found = examine(bounds, t, bisections, wanted);
-            if(hair > 0) CHECK_FALSE(found.is_transversal);
+            if(margin > 0) CHECK_FALSE(found.is_transversal);
             else {
-              CHECK(found.slope <= -hair + 1e-12);
-              if(bisections == many && wanted > 1) CHECK(found.slope > -0.85 * hair);
+              CHECK(found.slope <= -margin + 1e-12);
+              if(bisections == many && wanted > 1) CHECK(found.slope > -0.85 * margin);
             }
           }
       }
@@ -470,14 +473,14 @@ TEST_CASE("Second-order bounds: facets tilted by 1e-9 are classified correctly, 
   CHECK_FALSE(examine(flat, { p, q, Point_3(0, 0, 0.4) }).is_transversal);
   // The facet is turned only near its middle, and only slightly: the slope of a horizontal facet is `least` + 2 x^2.
   const Triangle around = { Point_3(-0.5, -0.3, 0.1), Point_3(0.5, -0.3, 0.1), Point_3(0, 0.5, 0.1) };
-  for(double hair : { 1e-12, 1e-3 }) {
+  for(double margin : { 1e-12, 1e-3 }) {
     for(double sign : { 1., -1. }) {
-      const double least = sign * hair; // at x = 0
+      const double least = sign * margin; // at x = 0
       const Uniform_field turned = uniform_field({ { least, { 0, 0, 1 } }, { 2, { 2, 0, 1 } } });
       const auto found = examine(between(turned, -5, 5), around, many, 100);
       if(sign < 0) CHECK_FALSE(found.is_transversal);
       if(found.is_transversal) CHECK(found.slope <= least);
-      if(sign > 0 && hair == 1e-3) CHECK(found.is_transversal);
+      if(sign > 0 && margin == 1e-3) CHECK(found.is_transversal);
     }
   }
 }
@@ -508,12 +511,9 @@ TEST_CASE(
 
 TEST_CASE("Second-order bounds: nothing is proved beyond the end of the domain, or across a hole in it")
 {
-  std::vector<std::uint64_t> keys;
-  for(int k = -4; k < 4; ++k)
-    for(int j = -4; j < 4; ++j)
-      for(int i = -4; i < 4; ++i)
-        if(!(i == 0 && j == 1)) keys.push_back(BS::Lattice_key::encode(i, j, k));
-  Uniform_field field(Root_cells(BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.25, { -4, -4, -4 }, { 3, 3, 3 }), keys));
+  const Lattice_point first = { -4, -4, -4 }, last = { 3, 3, 3 };
+  Uniform_field field(cells_where(BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.25, first, last), first, last,
+                                  [](int i, int j, int) { return !(i == 0 && j == 1); }));
   set_polynomial(field, height);
   const Bounds bounds = between(field, -2, 2);
   const auto proves_any = [&](const Triangle& t) {
@@ -555,7 +555,7 @@ TEST_CASE("Second-order bounds: coefficients that are not finite prevent proofs 
   set_polynomial(inner, { { -0.95, { 0, 0, 0 } } });
   set_polynomial(outer, { { 0.95, { 0, 0, 0 } } });
   CGAL::Random random(17);
-  int spoilt = 0, left = 0;
+  int affected = 0, left = 0;
   for(double bad : { not_a_number, inf, -inf, 1.7e308, -1.7e308 })
     for(int which = 0; which < 3; ++which)
       for(int n = 0; n < 3; ++n) {
@@ -577,14 +577,14 @@ TEST_CASE("Second-order bounds: coefficients that are not finite prevent proofs 
             meets = meets || !std::isfinite(f[which].cell(c).error_radius())
                     || std::any_of(b, b + 64, [](double value) { return !(std::abs(value) < 1e300); });
           });
-          spoilt += meets;
+          affected += meets;
           if(meets) CHECK_FALSE((found.is_contained && found.is_transversal));
           if(meets && which == 0) CHECK_FALSE((found.is_contained || found.is_transversal));
           if(meets) CHECK_FALSE(found.is_contained);
           left += found.is_contained;
         }
       }
-  CHECK(spoilt > 50);
+  CHECK(affected > 50);
   CHECK(left > 100);
   const Uniform_field plane = uniform_field(height);
   for(double level : { not_a_number, inf }) {
@@ -754,9 +754,7 @@ TEST_CASE("Second-order bounds: few bisections prove nearly all facets of a mesh
     const Mesh mesh = sphere(subdivisions, 0.8);
     std::size_t proved = 0, by_predicates = 0;
     for(auto f : mesh.faces()) {
-      const auto h = mesh.halfedge(f);
-      const Triangle t = { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                           mesh.point(mesh.target(mesh.next(h))) };
+      const Triangle t = corners(mesh, f);
       const auto found = examine(bounds, t, 64);
       proved += found.is_contained && found.is_transversal;
       by_predicates += predicates.values_within(t, { 0.3, 0.66 }) == Verdict::PROVED
@@ -819,13 +817,8 @@ TEST_CASE("Second-order bounds: a peak due to a mixed derivative is detected for
       Triangle needle = { point(0.22, 0.02), point(0.02, 0.22), point(0.219, 0.019) };
       if(normal(needle)[c] < 0) std::swap(needle[0], needle[1]);
       const Uniform_field field = uniform_field(mixed);
-      const Extrema e = values(field, needle);
-      const double size = e.highest - e.lowest;
-      for(double share : { -0.03, -0.2, -0.4 })
-        CHECK_FALSE((sign > 0 ? is_contained(field, -1, e.highest + share * size, needle, 0)
-                              : is_contained(field, e.lowest - share * size, 1, needle, 0)));
-      CHECK((sign > 0 ? is_contained(field, -9, e.highest + 2 * size, needle)
-                      : is_contained(field, e.lowest - 2 * size, 9, needle)));
+      for(double share : { -0.03, -0.2, -0.4 }) CHECK_FALSE(is_contained_with_margin(field, sign, share, needle, 0));
+      CHECK(is_contained_with_margin(field, sign, 2, needle));
     }
 }
 
@@ -869,12 +862,8 @@ TEST_CASE("Second-order bounds: a facet that leaves the domain between its corne
     }
   };
   for(int missing = 0; missing < 4; ++missing) {
-    std::vector<std::uint64_t> keys;
-    for(int k = -2; k < 2; ++k)
-      for(int j = -2; j < 2; ++j)
-        for(int i = -2; i < 2; ++i)
-          if(((i >= 0) | (j >= 0) << 1) != missing) keys.push_back(BS::Lattice_key::encode(i, j, k));
-    Uniform_field field{ Root_cells(BS::Lattice_3(CGAL::Bbox_3(-2, -2, -2, 2, 2, 2), 1), keys) };
+    Uniform_field field(cells_where(BS::Lattice_3(CGAL::Bbox_3(-2, -2, -2, 2, 2, 2), 1), { -2, -2, -2 }, { 1, 1, 1 },
+                                    [&](int i, int j, int) { return ((i >= 0) | (j >= 0) << 1) != missing; }));
     set_polynomial(field, height);
     const Bounds bounds = between(field, -5, 5);
     const double sx = missing & 1 ? 1 : -1, sy = missing & 2 ? 1 : -1; // towards the missing cells
@@ -985,9 +974,7 @@ Known_bounds between(const Known_cells& field, double inner, double outer)
 // Returns the exact value of a function, or of a derivative, on the cell from 0 to 1.
 Rational exact_value(const Tricubic& b, const Exact_point& p, const std::array<int, 3>& order = { 0, 0, 0 })
 {
-  std::array<Rational, 64> exact_coefficients;
-  std::copy(b.begin(), b.end(), exact_coefficients.begin());
-  return bernstein_value(exact_coefficients, p, order);
+  return bernstein_value(exact_coefficients(b), p, order);
 }
 
 Point_3 with_axes(int a, double x, int b, double y, double z)
@@ -1138,8 +1125,8 @@ TEST_CASE("Second-order bounds: proved claims hold for all normals within the ra
         const Tricubic across = product(three_t, one, one) + 4. * product(one, one, three_t)
                                 + (3 * i + 12 * k - 6.375) * product(one, one, one);
         const double at = 3 * (end - i);
-        const Tricubic wild = product({ at, at - 1, at - 2, at - 3 }, one, { -1, 0, 0, 0 });
-        cells.push_back({ { double(i), 0, double(k) }, 1, across + (k < 0 ? 1000 : 0) * wild });
+        const Tricubic steep_part = product({ at, at - 1, at - 2, at - 3 }, one, { -1, 0, 0, 0 });
+        cells.push_back({ { double(i), 0, double(k) }, 1, across + (k < 0 ? 1000 : 0) * steep_part });
       }
     const Known_cells field(cells, CGAL::Bbox_3(0, 0, -1, 3, 1, 1));
     const Triangle t = { Point_3(0.125, 0.5, 0.5), Point_3(end, 0.5, 0.5 - (end - 0.125) * radius),
@@ -1189,25 +1176,25 @@ TEST_CASE("Second-order bounds: a mixed derivative that changes its sign in a ce
         CHECK(examine(between(field, -100, 100), needle, 0).is_contained);
       }
       // 36 (x - 1/2)^2 y, and permutations: the slope along one axis is least halfway along another
-      for(double hair : { 1., 0.1 }) {
-        const Known_cells field(along_axes(parabola, three_t) + -hair * along_axes(one, three_t));
+      for(double margin : { 1., 0.1 }) {
+        const Known_cells field(along_axes(parabola, three_t) + -margin * along_axes(one, three_t));
         Triangle t = { with_axes(a, 0.05, b, 0.5, 0.4), with_axes(a, 0.95, b, 0.5, 0.4),
                        with_axes(a, 0.05, b, 0.5, 0.6) };
         if(normal(t)[b] < 0) std::swap(t[0], t[1]);
         for(std::size_t bisections : { std::size_t(0), many })
           CHECK_FALSE(examine(between(field, -100, 100), t, bisections).is_transversal);
-        const Known_cells steeper(along_axes(parabola, three_t) + hair * along_axes(one, three_t));
+        const Known_cells steeper(along_axes(parabola, three_t) + margin * along_axes(one, three_t));
         const auto found = examine(between(steeper, -100, 100), t);
         CHECK(found.is_transversal);
-        CHECK(found.slope <= 3 * hair);
+        CHECK(found.slope <= 3 * margin);
       }
     }
 }
 
 TEST_CASE("Second-order bounds: a slope that falls as fast as the bound allows, and then rises, is detected")
 {
-  // 3 z (phi(x) - hair), where phi is 3 |x| except near 0, on cells of width 1/8. Here, the bound allows a fall that is
-  // only 1/25 larger than the actual one.
+  // 3 z (phi(x) - margin), where phi is 3 |x| except near 0, on cells of width 1/8. Here, the bound allows a fall that
+  // is only 1/25 larger than the actual one.
   constexpr double h = 0.125;
   const Cubic falls = { 3.25, 2.25, 1.25, 0.25 }, rises = { 0.25, 1.25, 2.25, 3.25 }, left = { 0.25, 0.125, 0, 0 },
               right = { 0, 0, 0.125, 0.25 };
@@ -1235,11 +1222,7 @@ TEST_CASE("Second-order bounds: far from the origin, a facet that faces away onl
   const Triangle t = { Point_3(0.25, 0.2, far + 0.5), Point_3(0.75, 0.2, far + 0.5 + ulp),
                        Point_3(0.5, 0.203125, far + 0.5 - 4 * ulp) };
   const Exact_point middle = { Rational(0.5), Rational(0.2), Rational(0.5) + Rational(ulp) / 2 };
-  const auto derivative = [&](int axis) {
-    std::array<int, 3> order = { 0, 0, 0 };
-    order[axis] = 1;
-    return exact_value(f, middle, order);
-  };
+  const auto derivative = [&](int axis) { return exact_value(f, middle, { axis == 0, axis == 1, axis == 2 }); };
   REQUIRE(derivative(0) == 0);
   REQUIRE(derivative(1) == 0);
   REQUIRE(derivative(2) < 0);
@@ -1277,8 +1260,8 @@ TEST_CASE("Second-order bounds: a dip in a cell that holds only one corner of th
 {
   // 600 (x - 1)^3 (y - 1/2) where x > 1, plus a function that rises along z. It is zero at all corners, and -11 at a
   // point of an edge.
-  const Tricubic rise = product(one, one, rising), wild = 100. * product({ 0, 0, 0, 1 }, rising, one);
-  const Known_cells field({ { { 0, 0, 0 }, 1, 10. * rise }, { { 1, 0, 0 }, 1, 10. * rise + wild } },
+  const Tricubic rise = product(one, one, rising), steep_part = 100. * product({ 0, 0, 0, 1 }, rising, one);
+  const Known_cells field({ { { 0, 0, 0 }, 1, 10. * rise }, { { 1, 0, 0 }, 1, 10. * rise + steep_part } },
                           CGAL::Bbox_3(0, 0, 0, 2, 1, 1));
   const Triangle t = { Point_3(0.5, 0.1, 0.5), Point_3(1.9, 0.5, 0.5), Point_3(0.5, 0.5, 0.5) };
   for(int first : { 0, 1, 2 }) {

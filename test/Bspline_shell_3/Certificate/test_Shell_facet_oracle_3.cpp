@@ -1,6 +1,7 @@
 // Shell_facet_oracle_3.h: facets that fail only in their inside are rejected, and cached results apply to the same
 // facets only. (Oracles in edits: test_Shell_filter.cpp.)
 #include "polynomial_fields.h"
+#include "shell_reports.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
 
@@ -215,16 +216,21 @@ TEST_CASE("Facet oracle: a fan that winds twice is rejected, even if squares of 
       { { scale, { 2, 0, 0 } }, { scale, { 0, 2, 0 } }, { scale, { 0, 0, 2 } } });
     const auto shell = shell_of(field, 0.36 * scale, 0.6561 * scale);
     const Oracle oracle(shell);
-    const auto fan = [&](std::initializer_list<int> order) {
-      std::vector<Point_3> link;
-      for(int k : order) link.emplace_back(0.1 * std::cos(2 * pi * k / 5), 0.1 * std::sin(2 * pi * k / 5), 0.68);
-      Oracle::Memory memory;
-      return oracle(Point_3(0, 0, 0.7), link, memory);
+    const Point_3 apex(0, 0, 0.7);
+    const auto link = [](std::initializer_list<int> order) {
+      std::vector<Point_3> points;
+      for(int k : order) points.emplace_back(0.1 * std::cos(2 * pi * k / 5), 0.1 * std::sin(2 * pi * k / 5), 0.68);
+      return points;
     };
-    CHECK(fan({ 0, 2, 4, 1, 3 }) != Placement_verdict::ACCEPTED);
+    const std::vector<Point_3> once = link({ 0, 1, 2, 3, 4 }), twice = link({ 0, 2, 4, 1, 3 });
+    Oracle::Memory memory;
+    CHECK(oracle(apex, twice, memory) != Placement_verdict::ACCEPTED);
     if(scale == 1) {
-      CHECK(fan({ 0, 2, 4, 1, 3 }) == Placement_verdict::WINDS_TWICE);
-      CHECK(fan({ 0, 1, 2, 3, 4 }) == Placement_verdict::ACCEPTED);
+      CHECK(oracle(apex, twice, memory) == Placement_verdict::WINDS_TWICE);
+      CHECK(oracle(apex, once, memory) == Placement_verdict::ACCEPTED);
+      CHECK(oracle.winding_number(apex, twice) == 2);
+      for(std::size_t n = 0; n < 5; ++n) // each facet alone is accepted
+        CHECK(oracle(apex, twice[n], twice[(n + 1) % 5]) == Placement_verdict::ACCEPTED);
     }
   }
 }
@@ -269,10 +275,8 @@ TEST_CASE("Facet oracle: facets between the thresholds, but outside the cells of
   const Uniform_field field = uniform_field({ { 1, { 0, 0, 1 } } });
   std::vector<char> cells(field.number_of_cells());
   for(Uniform_field::Cell_index c = 0; c < field.number_of_cells(); ++c) cells[c] = field.cell(c).corner()[0] >= 0;
-  BS::Shell_report report;
-  report.status = BS::Shell_status::SUCCESS;
-  report.unit = 2;
-  const CGAL::Bspline_shell_3<Uniform_field> shell(field, BS::Level_range{ -0.5, 0.5 }, cells, {}, report);
+  const CGAL::Bspline_shell_3<Uniform_field> shell(field, BS::Level_range{ -0.5, 0.5 }, cells, {},
+                                                   successful_report(2));
   const Oracle oracle(shell);
   for(double x : { 0.4, 0., -0.4 }) {
     CAPTURE(x);

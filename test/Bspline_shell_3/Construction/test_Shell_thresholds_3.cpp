@@ -1,7 +1,7 @@
 // Shell_thresholds_3.h: thresholds are as wide as requested, narrower under caps, and never narrower than the mesh
 // requires.
-#include "random_hierarchies.h"
-#include "test_meshes.h"
+#include "coefficient_functions.h"
+#include "input_of_mesh.h"
 
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
@@ -42,28 +42,20 @@ double sign(CGAL::Sign side)
 // Cells of width 1/2 and smaller around the unit sphere, and the ranges of a bumpy function on its mesh.
 struct Problem
 {
-  BS::Input_mesh_3 input;
+  BS::Input_mesh_3 input = input_of(sphere(2));
   Field field;
   BS::Clipped_mesh_3 clipped;
   std::vector<Level_range> ranges;
 
   Problem()
   {
-    const Mesh mesh = sphere(2);
-    REQUIRE(input.build<Tag>(mesh, get(CGAL::vertex_point, mesh), {}) == BS::Shell_status::SUCCESS);
     CGAL::Random random(1);
-    Hierarchy cells(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.5, { -5, -5, -5 }, { 4, 4, 4 }),
-                               { -5, -5, -5 }, { 4, 4, 4 }));
+    Hierarchy cells(all_cells(0.5, { -5, -5, -5 }, { 4, 4, 4 }));
     for(int n = 0; n < 2; ++n) cells = cells.refined({ cells.locate(Point_3(0, 0.6, 0.8)) });
     field = Field(cells);
     REQUIRE(field.number_of_levels() == 3);
-    Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
-    for(Index n = 0; n < field.number_of_coefficients(); ++n) {
-      const CGAL::Bbox_3 b = field.support(n);
-      const double c[3] = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };
-      x[n] = std::sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]) - 1 + random.get_double(-0.3, 0.3);
-    }
-    field.set_coefficients(x);
+    set_coefficients(
+      field, [&](const Point_3& p, double) { return distance(p, CGAL::ORIGIN) - 1 + random.get_double(-0.3, 0.3); });
     clipped = BS::clip_mesh_to_cells<Tag>(input, cells);
     ranges = BS::facet_ranges<Tag>(field, clipped).cell;
   }
@@ -289,9 +281,7 @@ TEST_CASE("Shell thresholds: with distance from a cap, the threshold rises to it
 TEST_CASE("Shell thresholds: the slope around a cap is bounded on cells of equal size")
 {
   CGAL::Random random(7);
-  const Field field(
-    Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.25, { -10, -10, -10 }, { 9, 9, 9 }),
-                         { -10, -10, -10 }, { 9, 9, 9 })));
+  const Field field(Hierarchy(all_cells(0.25, { -10, -10, -10 }, { 9, 9, 9 })));
   for(double slope : { 0.1, 0.3 })
     for(int n = 0; n < 6; ++n)
       CHECK(

@@ -115,10 +115,10 @@ TEST_CASE("Mesh types: offending simplices of a Polyhedron_3 are positions in it
     if(std::find(neighbors.begin(), neighbors.end(), f) != neighbors.end()) expected.push_back(n);
     ++n;
   }
-  const Shell refused = CGAL::bspline_shell_3<Tag>(open, P::resolution(10));
-  CHECK(refused.status() == BS::Shell_status::OPEN_MESH);
+  const Shell rejected = CGAL::bspline_shell_3<Tag>(open, P::resolution(10));
+  CHECK(rejected.status() == BS::Shell_status::OPEN_MESH);
   CHECK(expected.size() == 4);
-  CHECK(refused.report().offending_simplices.facets == expected);
+  CHECK(rejected.report().offending_simplices.facets == expected);
 }
 
 TEST_CASE("Mesh types: lazy coordinates are rounded by their exact values, however they were computed")

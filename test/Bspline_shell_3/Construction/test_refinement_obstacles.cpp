@@ -1,7 +1,7 @@
 // refinement_obstacles.h: walls and gaps at places that block a proof, narrowest first, and messages about them.
 #include <CGAL/Bspline_shell_3/Construction/refinement_obstacles.h>
 #include "random_hierarchies.h"
-#include "test_meshes.h"
+#include "input_of_mesh.h"
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <algorithm>
@@ -24,16 +24,11 @@ typedef Hierarchy::Index Index;
 TEST_CASE("Obstacles: the narrower of wall and gap is reported unless it is far wider than the cell, narrowest first")
 {
   // A plate of thickness 0.3 at z = 1. For y > 0, there is a plate of thickness 0.6 above it, at a distance of 0.2.
-  Mesh mesh = box(Point_3(-3, -3, 1), Point_3(3, 3, 1.3));
-  mesh += box(Point_3(-3, 0, 1.5), Point_3(3, 3, 2.1));
-  BS::Input_mesh_3 input;
-  REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), {}) == BS::Shell_status::SUCCESS);
-  CGAL::Random random(1);
+  const BS::Input_mesh_3 input = input_of(
+    joined(box(Point_3(-3, -3, 1), Point_3(3, 3, 1.3)), box(Point_3(-3, 0, 1.5), Point_3(3, 3, 2.1))));
   const auto cells_of_width = [&](double width) {
     const int n = int(4 / width);
-    return Hierarchy(some_cells(random,
-                                BS::Lattice_3::from_origin({ 0, 0, 0 }, width, { -n, -n, -n }, { n - 1, n - 1, n - 1 }),
-                                { -n, -n, -n }, { n - 1, n - 1, n - 1 }));
+    return Hierarchy(all_cells(width, { -n, -n, -n }, { n - 1, n - 1, n - 1 }));
   };
   const Hierarchy cells = cells_of_width(0.25);
   const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, cells);

@@ -2,7 +2,7 @@
 // compared with a sum over cells.
 #include <CGAL/Bspline_shell_3/Construction/thickness_on_mesh.h>
 #include "random_hierarchies.h"
-#include "test_meshes.h"
+#include "input_of_mesh.h"
 
 #include <CGAL/Bspline_shell_3/Construction/Shell_thresholds_3.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
@@ -25,12 +25,8 @@ typedef Field::Cell_index Index;
 TEST_CASE(
   "Thickness on a mesh: the largest thickness is as requested, and the narrowed area covers the cells near a cap")
 {
-  const Mesh mesh = sphere(3);
-  BS::Input_mesh_3 input;
-  REQUIRE(input.build<Tag>(mesh, get(CGAL::vertex_point, mesh), {}) == BS::Shell_status::SUCCESS);
-  CGAL::Random random(1);
-  const Field field(Hierarchy(some_cells(
-    random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.25, { -8, -8, -8 }, { 7, 7, 7 }), { -8, -8, -8 }, { 7, 7, 7 })));
+  const BS::Input_mesh_3 input = input_of(sphere(3));
+  const Field field(Hierarchy(all_cells(0.25, { -8, -8, -8 }, { 7, 7, 7 })));
   const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<Tag>(input, field.cells());
   const double requested = 0.25;
   BS::Shell_thresholds_3<Field> thresholds(field, [&](const Point_3&) { return requested; });

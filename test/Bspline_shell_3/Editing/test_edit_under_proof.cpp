@@ -27,11 +27,7 @@ typedef std::vector<std::size_t> Positions;
 // Returns a shell of the unit sphere, with room around the sphere.
 const Shell& shell()
 {
-  static const Shell shell = [] {
-    const Shell tight = CGAL::bspline_shell_3(sphere(2), P::resolution(12));
-    return Shell(tight.field(), BS::Level_range{ tight.inner_level() - 0.1, tight.outer_level() + 0.1 },
-                 std::vector<char>(tight.field().number_of_cells(), 1), tight.facet_ranges(), tight.report());
-  }();
+  static const Shell shell = widened(CGAL::bspline_shell_3(sphere(2), P::resolution(12)), 0.1);
   return shell;
 }
 
@@ -54,7 +50,7 @@ const auto nothing = [](Mesh&) {};
 const Mesh::Vertex_index out(7);
 
 // Returns a sphere with one vertex moved to its center, out of the shell.
-Mesh dented()
+Mesh sphere_with_vertex_outside()
 {
   Mesh mesh = sphere(2);
   mesh.point(out) = CGAL::ORIGIN;
@@ -69,7 +65,7 @@ Positions facets_at(const Mesh& mesh, Mesh::Vertex_index v)
   return positions;
 }
 
-// Returns the vertex farthest from the dent.
+// Returns the vertex farthest from the one outside the shell.
 Mesh::Vertex_index far(const Mesh& mesh)
 {
   const Vector_3 n = sphere(2).point(out) - CGAL::ORIGIN;
@@ -83,7 +79,7 @@ Mesh::Vertex_index far(const Mesh& mesh)
 TEST_CASE("Edit under proof: an edit must keep frozen facets, leave all others in the shell, and close the mesh")
 {
   REQUIRE(shell());
-  const Mesh start = dented();
+  const Mesh start = sphere_with_vertex_outside();
   const auto status = [&](const auto& edit) {
     Mesh mesh = start;
     Result result;
@@ -125,7 +121,7 @@ TEST_CASE("Edit under proof: fans that wind twice are found before the edit, and
 
 TEST_CASE("Edit under proof: with a truncating shell, reports refer to facets and vertices of the original mesh")
 {
-  const Mesh start = dented();
+  const Mesh start = sphere_with_vertex_outside();
   const Mesh::Vertex_index tip = far(start);
   Truncation_parts parts = truncation_at(start, { tip }, true);
   for(bool is_disc_rejected : { false, true }) {

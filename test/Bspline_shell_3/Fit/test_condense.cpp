@@ -91,37 +91,37 @@ void expected_equations(const Field& field, Eigen::MatrixXd& A, Eigen::VectorXd&
   b = P.transpose() * all_rhs;
 }
 
-void check_lower_triangle(const Matrix& A)
+// Checks that rows ascend from the diagonal, and that all chosen unknowns, and no others, have entries.
+void check_lower_triangle(const Matrix& A, const std::vector<char>* chosen = nullptr)
 {
   REQUIRE(A.isCompressed());
+  const auto is_chosen = [&](Eigen::Index n) { return !chosen || (*chosen)[std::size_t(n)]; };
   std::size_t wrong = 0;
   for(int c = 0; c < A.outerSize(); ++c) {
     int last = c - 1;
     for(Matrix::InnerIterator it(A, c); it; ++it) {
-      wrong += it.row() <= last; // rows ascend from the diagonal
-      wrong += last == c - 1 && it.row() != c;
+      wrong += it.row() <= last || (last == c - 1 && it.row() != c) || !is_chosen(it.row());
       last = int(it.row());
     }
+    wrong += is_chosen(c) != (last >= c);
   }
   CHECK(wrong == 0);
 }
 
-// Checks that columns of chosen unknowns begin with the diagonal, and other columns are empty.
-void check_chosen_lower_triangle(const Matrix& A, const std::vector<char>& chosen)
+template <typename Equations, typename Other_equations>
+void check_identical(const Equations& a, const Other_equations& b)
 {
-  REQUIRE(A.isCompressed());
-  std::size_t wrong = 0;
-  for(int c = 0; c < A.outerSize(); ++c) {
-    int last = c - 1;
-    for(Matrix::InnerIterator it(A, c); it; ++it) {
-      wrong += it.row() <= last || !chosen[std::size_t(it.row())];
-      last = int(it.row());
-    }
-    wrong += chosen[std::size_t(c)]
-               ? A.outerIndexPtr()[c] == A.outerIndexPtr()[c + 1] || A.innerIndexPtr()[A.outerIndexPtr()[c]] != c
-               : A.outerIndexPtr()[c] != A.outerIndexPtr()[c + 1];
-  }
-  CHECK(wrong == 0);
+  const Eigen::Index size = a.A.nonZeros();
+  REQUIRE(b.A.nonZeros() == size);
+  CHECK(std::equal(a.A.valuePtr(), a.A.valuePtr() + size, b.A.valuePtr()));
+  CHECK(std::equal(a.A.innerIndexPtr(), a.A.innerIndexPtr() + size, b.A.innerIndexPtr()));
+  CHECK((a.b == b.b));
+}
+
+Field random_field(int seed, const Lattice_point& first, const Lattice_point& last, double share, int levels)
+{
+  CGAL::Random random(seed);
+  return Field(random_hierarchy(random, some_cells(random, lattice, first, last, share), levels));
 }
 
 void check_condensed(const Field& field)
@@ -152,25 +152,12 @@ void check_condensed(const Field& field)
 
 TEST_CASE("Condensed equations: equations of all points are restricted correctly to the free coefficients")
 {
-  SECTION("two levels")
-  {
-    CGAL::Random random(1);
-    check_condensed(Field(random_hierarchy(random, some_cells(random, lattice, { -5, -1, -1 }, { 3, 0, 0 }), 2)));
-  }
-  SECTION("two levels, with holes")
-  {
-    CGAL::Random random(2);
-    check_condensed(Field(random_hierarchy(random, some_cells(random, lattice, { -4, -2, -1 }, { 3, 1, 1 }, 0.6), 2)));
-  }
-  SECTION("three levels")
-  {
-    CGAL::Random random(3);
-    check_condensed(Field(random_hierarchy(random, some_cells(random, lattice, { -6, 0, -1 }, { 5, 1, 0 }), 3)));
-  }
+  SECTION("two levels") check_condensed(random_field(1, { -5, -1, -1 }, { 3, 0, 0 }, 1, 2));
+  SECTION("two levels, with holes") check_condensed(random_field(2, { -4, -2, -1 }, { 3, 1, 1 }, 0.6, 2));
+  SECTION("three levels") check_condensed(random_field(3, { -6, 0, -1 }, { 5, 1, 0 }, 1, 3));
   SECTION("four levels, deep at one end")
   {
-    CGAL::Random random(4);
-    Hierarchy cells(some_cells(random, lattice, { -5, -1, 0 }, { 4, 0, 0 }));
+    Hierarchy cells(all_cells(lattice, { -5, -1, 0 }, { 4, 0, 0 }));
     const std::array<double, 3> end = cells.corner(0);
     while(cells.number_of_levels() < 4) cells = cells.refined({ cells.locate(end) });
     check_condensed(Field(cells));
@@ -179,20 +166,12 @@ TEST_CASE("Condensed equations: equations of all points are restricted correctly
 
 TEST_CASE("Condensed equations: the equations do not depend on the number of threads, bit for bit")
 {
-  CGAL::Random random(5);
-  const Field field(random_hierarchy(random, some_cells(random, lattice, { -6, -3, -2 }, { 4, 1, 1 }, 0.9), 3));
+  const Field field = random_field(5, { -6, -3, -2 }, { 4, 1, 1 }, 0.9, 3);
   REQUIRE(field.number_of_cells() > 1000); // enough for several chunks
   const Assembled<Field> sequential(field, CGAL::Sequential_tag());
   check_lower_triangle(sequential.A);
-  for(int run = 0; run < 3; ++run) {
-    const Assembled<Field> parallel(field, CGAL::Parallel_if_available_tag());
-    REQUIRE(parallel.A.nonZeros() == sequential.A.nonZeros());
-    CHECK(
-      std::equal(sequential.A.valuePtr(), sequential.A.valuePtr() + sequential.A.nonZeros(), parallel.A.valuePtr()));
-    CHECK(std::equal(sequential.A.innerIndexPtr(), sequential.A.innerIndexPtr() + sequential.A.nonZeros(),
-                     parallel.A.innerIndexPtr()));
-    CHECK((sequential.b == parallel.b));
-  }
+  for(int run = 0; run < 3; ++run)
+    check_identical(sequential, Assembled<Field>(field, CGAL::Parallel_if_available_tag()));
 }
 
 TEST_CASE(
@@ -205,10 +184,7 @@ TEST_CASE(
   const Assembled<Uniform_field> a(uniform, CGAL::Sequential_tag());
   const Assembled<Field> b(field, CGAL::Sequential_tag());
   check_lower_triangle(a.A);
-  REQUIRE(a.A.nonZeros() == b.A.nonZeros());
-  CHECK(std::equal(a.A.valuePtr(), a.A.valuePtr() + a.A.nonZeros(), b.A.valuePtr()));
-  CHECK(std::equal(a.A.innerIndexPtr(), a.A.innerIndexPtr() + a.A.nonZeros(), b.A.innerIndexPtr()));
-  CHECK((a.b == b.b));
+  check_identical(a, b);
 }
 
 TEST_CASE("Condensed equations: for chosen points, their entries are unchanged, and other entries are zero")

@@ -1,6 +1,7 @@
 // Gradient_flow_3.h, Integral_curve.h: points arrive where the closed forms of integral curves end, up to the
 // tolerance, or the status is a failure.
 #include "polynomial_fields.h"
+#include "shell_reports.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Gradient_flow_3.h>
 
@@ -391,10 +392,7 @@ TEST_CASE("Gradient flow: a point that cannot be moved has a status with the rea
   Uniform_field field = uniform_field({ { 1, { 1, 0, 0 } } });
   std::vector<char> cells(field.number_of_cells(), 1);
   for(Uniform_field::Cell_index c = 0; c < field.number_of_cells(); ++c) cells[c] = field.cell(c).corner()[0] < 0.5;
-  BS::Shell_report report;
-  report.status = BS::Shell_status::SUCCESS;
-  report.unit = 2;
-  const Uniform_shell part(field, BS::Level_range{ -2, 2 }, cells, {}, report);
+  const Uniform_shell part(field, BS::Level_range{ -2, 2 }, cells, {}, successful_report(2));
   const BS::Gradient_flow_3<Uniform_shell> partly(part);
   CHECK(partly.trace(Vector(0.1, 0.1, 0.1), 0.4).status == Flow_status::SUCCESS);
   CHECK(partly.trace(Vector(0.1, 0.1, 0.1), 0.7).status == Flow_status::LEAVES_SHELL);
@@ -450,12 +448,9 @@ TEST_CASE("Gradient flow: curves end at varying thresholds")
   const Uniform_field field = uniform_field({ { 1, { 1, 0, 0 } } });
   typedef BS::Spline_threshold<Uniform_field> Threshold;
   typedef CGAL::Bspline_shell_3<Uniform_field, Threshold> Shell;
-  BS::Shell_report report;
-  report.status = BS::Shell_status::SUCCESS;
-  report.unit = 2;
   const Shell shell(field, Threshold(uniform_field({ { -0.5, { 0, 0, 0 } } })),
                     Threshold(uniform_field({ { 0.4, { 0, 0, 0 } }, { 0.25, { 0, 2, 0 } } })),
-                    std::vector<char>(field.number_of_cells(), 1), {}, report);
+                    std::vector<char>(field.number_of_cells(), 1), {}, successful_report(2));
   const BS::Gradient_flow_3<Shell> flow(shell);
   for(double y : { -0.9, -0.5, 0., 0.3, 0.7 }) {
     const double end = 0.4 + y * y / 4, little = 1e-7; // much more than the tolerance, and the rounding of steps
