@@ -23,7 +23,7 @@ namespace test_match_components {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
-typedef BS::Uniform_bspline_field_3<> Field;
+typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef CGAL::Bspline_shell_3<Field> Shell;
 typedef BS::Shell_certificate_3<Field> Certificate;
 typedef BS::Certificate_witness Place;
@@ -46,7 +46,7 @@ const Field& two_spheres()
     Field f(BS::Cell_complex_3(BS::Lattice_3(CGAL::Bbox_3(-h, -h, -h, h, h, h), width), keys));
     Eigen::VectorXd x(Eigen::Index(f.number_of_coefficients()));
     for(std::size_t n = 0; n < f.number_of_coefficients(); ++n) {
-      const auto& p = f.functions().point(Field::Cell_index(n));
+      const auto& p = f.points(0).point(Field::Cell_index(n));
       const double r = width * std::sqrt(double(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]));
       x[Eigen::Index(n)] = 4 * (r - small_radius) * (large_radius - r) + 0.05;
     }

@@ -1,7 +1,7 @@
 // Mesh_ranges.h: enclosures of a field on the mesh in each cell are compared with samples. Unchanged ranges are kept,
 // and changed ones are computed again.
 #include <CGAL/Bspline_shell_3/Construction/Mesh_ranges.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include "test_meshes.h"
 
@@ -19,7 +19,7 @@ namespace test_Mesh_ranges {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
-typedef BS::Uniform_bspline_field_3<> Field;
+typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef BS::Level_range Range;
 typedef BS::Mesh_ranges Ranges;
 typedef CGAL::Sequential_tag Sequential;
@@ -42,7 +42,7 @@ struct Problem
   void set(const Function& coefficient)
   {
     Eigen::VectorXd x(field.number_of_coefficients());
-    for(Eigen::Index n = 0; n < x.size(); ++n) x[n] = coefficient(field.functions().point(Field::Cell_index(n)));
+    for(Eigen::Index n = 0; n < x.size(); ++n) x[n] = coefficient(field.points(0).point(Field::Cell_index(n)));
     field.set_coefficients(x);
   }
 

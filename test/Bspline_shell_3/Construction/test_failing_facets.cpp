@@ -19,7 +19,7 @@ namespace {
 struct In_rising_field
 {
   BS::Input_mesh_3 input;
-  Hierarchical_field field = hierarchical_field({ { 1, { 0, 0, 1 } }, { 1, { 0, 0, 3 } } });
+  Field field = hierarchical_field({ { 1, { 0, 0, 1 } }, { 1, { 0, 0, 3 } } });
 
   In_rising_field()
   {

@@ -1,7 +1,7 @@
 // Bounds of a field on edges and facets: polynomials with known extrema, and fields that are sampled in exact
 // arithmetic.
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
 #include "exact_spline.h"
 #include "test_meshes.h"
@@ -17,7 +17,7 @@ namespace test_level_bounds {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
-typedef BS::Uniform_bspline_field_3<> Field;
+typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef BS::Level_range Range;
 typedef std::array<double, 10> Nonic;
 
@@ -98,7 +98,7 @@ struct Problem
   void set(const Function& coefficient)
   {
     Eigen::VectorXd x(field.number_of_coefficients());
-    for(Eigen::Index n = 0; n < x.size(); ++n) x[n] = coefficient(field.functions().point(Field::Cell_index(n)));
+    for(Eigen::Index n = 0; n < x.size(); ++n) x[n] = coefficient(field.points(0).point(Field::Cell_index(n)));
     field.set_coefficients(x);
   }
   // Sets the field close to the distance from a sphere, plus noise.

@@ -7,7 +7,6 @@
 #include "random_hierarchies.h"
 
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
@@ -40,33 +39,45 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef Kernel::Vector_3 Vector_3;
 typedef CGAL::Surface_mesh<Point_3> Mesh;
-typedef CGAL::Bspline_shells::Uniform_bspline_field_3<Kernel> Field;
-typedef CGAL::Bspline_shells::Hierarchical_bspline_field_3<Kernel> Hierarchical_field;
-typedef CGAL::Bspline_shells::Cell_complex_3 Cells;
+typedef CGAL::Bspline_shells::Hierarchical_bspline_field_3<Kernel> Field;
 typedef CGAL::Bspline_shells::Lattice_3 Lattice;
 
 const double pi = 3.14159265358979323846;
 
-// Returns a field on the cells with corners from -size to size, in cells, around the center. `coefficient` is a
-// function of the lattice point, relative to the center.
-template <typename Coefficient>
-Field make_field(int size, double width, const Coefficient& coefficient, const Point_3& center = CGAL::ORIGIN)
+// Returns the cells with corners from -size to size, in cells, around the center.
+Hierarchy cube(int size, double width, const Point_3& center = CGAL::ORIGIN)
 {
   const Lattice lattice(center.bbox(), width);
   REQUIRE(lattice.is_exact());
   REQUIRE(lattice.spacing() == width);
-  std::vector<std::uint64_t> keys;
-  for(int k = -size; k < size; ++k)
-    for(int j = -size; j < size; ++j)
-      for(int i = -size; i < size; ++i) keys.push_back(CGAL::Bspline_shells::Lattice_key::encode(i, j, k));
-  Field field{ Cells(lattice, keys) };
-  Eigen::VectorXd x(field.number_of_coefficients());
-  for(Eigen::Index n = 0; n < x.size(); ++n) {
-    const Lattice::Point& p = field.functions().point(Cells::Index(n));
-    x[n] = coefficient(Vector_3(p[0] * width, p[1] * width, p[2] * width));
-  }
+  CGAL::Random random(0);
+  return some_cells(random, lattice, { -size, -size, -size }, { size - 1, size - 1, size - 1 });
+}
+
+// Returns a field; `coefficient` is a function of the point, relative to the center, and of the width of cells of its
+// level.
+template <typename Coefficient>
+Field make_field(const Hierarchy& cells, const Coefficient& coefficient)
+{
+  Field field(cells);
+  Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
+  Eigen::Index n = 0;
+  for(int l = field.number_of_levels() - 1; l >= 0; --l)
+    for(Hierarchy::Index p = 0; p < field.points(l).size(); ++p) {
+      if(field.coefficient_of_point(field.first_point(l) + p) == Field::npos) continue;
+      const double h = field.cells().level_width(l);
+      const Lattice_point& g = field.points(l).point(p);
+      x[n++] = coefficient(Vector_3(g[0] * h, g[1] * h, g[2] * h), h);
+    }
   field.set_coefficients(x);
   return field;
+}
+
+// Returns a field on equal cells; `coefficient` is a function of the point, relative to the center.
+template <typename Coefficient>
+Field make_field(int size, double width, const Coefficient& coefficient, const Point_3& center = CGAL::ORIGIN)
+{
+  return make_field(cube(size, width, center), [&](const Vector_3& g, double) { return coefficient(g); });
 }
 
 // Returns |x|^2, which cubic splines reproduce.
@@ -76,32 +87,17 @@ Field squared_norm(int size, double width, const Point_3& center = CGAL::ORIGIN)
     size, width, [width](const Vector_3& g) { return g.squared_length() - width * width; }, center);
 }
 
-// Returns a field on the same cells, some of them split, with the given number of levels. `coefficient` is a function
-// of the point, and of the width of cells of its level.
+// Returns a field on the same cells, some of them split, with the given number of levels.
 template <typename Coefficient>
-Hierarchical_field make_hierarchical_field(unsigned seed, int size, double width, int levels,
-                                           const Coefficient& coefficient)
+Field make_hierarchical_field(unsigned seed, int size, double width, int levels, const Coefficient& coefficient)
 {
   CGAL::Random random(seed);
-  const Lattice lattice(Point_3(0, 0, 0).bbox(), width);
-  REQUIRE(lattice.spacing() == width);
-  Hierarchical_field field(random_hierarchy(
-    random, some_cells(random, lattice, { -size, -size, -size }, { size - 1, size - 1, size - 1 }), levels));
+  const Field field = make_field(random_hierarchy(random, cube(size, width).roots(), levels), coefficient);
   REQUIRE(field.number_of_levels() == levels);
-  Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
-  Eigen::Index n = 0;
-  for(int l = levels - 1; l >= 0; --l)
-    for(Hierarchy::Index p = 0; p < field.points(l).size(); ++p) {
-      if(field.coefficient_of_point(field.first_point(l) + p) == Hierarchical_field::npos) continue;
-      const double h = field.cells().level_width(l);
-      const Lattice_point& g = field.points(l).point(p);
-      x[n++] = coefficient(Vector_3(g[0] * h, g[1] * h, g[2] * h), h);
-    }
-  field.set_coefficients(x);
   return field;
 }
 
-Hierarchical_field hierarchical_squared_norm(unsigned seed, int size, double width, int levels)
+Field hierarchical_squared_norm(unsigned seed, int size, double width, int levels)
 {
   return make_hierarchical_field(seed, size, width, levels,
                                  [](const Vector_3& g, double h) { return g.squared_length() - h * h; });
@@ -352,7 +348,7 @@ TEST_CASE("Level set: across cells of different sizes, the set is closed and on 
   for(unsigned seed = 0; seed < 6; ++seed) {
     const int levels = 2 + int(seed) % 3;
     // Levels change at the sphere, so it crosses cells of two sizes.
-    const Hierarchical_field field = hierarchical_squared_norm(seed, levels < 4 ? 10 : 14, 0.25, levels);
+    const Field field = hierarchical_squared_norm(seed, levels < 4 ? 10 : 14, 0.25, levels);
     REQUIRE(*field.value(Point_3(0.3, 0.4, 1.2)) == Approx(1.69));
     for(double level : { 1.21, 1., 1.5625, 2.1 }) // some pass through corners of cells
       for(int ratio : { 1, 2, 3 }) {
@@ -376,11 +372,10 @@ TEST_CASE("Level set: the level set of a random field on cells of different size
     std::mt19937 random(seed);
     std::uniform_int_distribution<int> any(-3, 3);
     // The field is large at the end of the cells, so level sets do not leave them.
-    const Hierarchical_field field = make_hierarchical_field(
-      seed, 6, 1, 2 + int(seed) % 2, [&](const Vector_3& g, double) {
-        const double m = (std::max)({ std::abs(g.x()), std::abs(g.y()), std::abs(g.z()) });
-        return m > 3 ? 216. * 4 : 216. * any(random);
-      });
+    const Field field = make_hierarchical_field(seed, 6, 1, 2 + int(seed) % 2, [&](const Vector_3& g, double) {
+      const double m = (std::max)({ std::abs(g.x()), std::abs(g.y()), std::abs(g.z()) });
+      return m > 3 ? 216. * 4 : 216. * any(random);
+    });
     for(int ratio : { 1, 2 })
       for(const Point_3& p : { Point_3(0, 0, 0), Point_3(1, -1, 2), Point_3(-2, 1, 1), Point_3(0.5, 0, 1) }) {
         const double level = *field.value(p);
@@ -402,7 +397,7 @@ TEST_CASE("Level set: the level set of a random field on cells of different size
 
 TEST_CASE("Level set: cells of different sizes that disagree on their common faces cause no cracks")
 {
-  const Hierarchical_field field = hierarchical_squared_norm(3, 10, 0.25, 3);
+  const Field field = hierarchical_squared_norm(3, 10, 0.25, 3);
   for(double error : { 1e-15, 1e-6, 1e-2, 0.1 })
     for(int ratio : { 1, 2, 3 }) {
       CAPTURE(error, ratio);
@@ -418,12 +413,12 @@ TEST_CASE("Level set: cells of different sizes that disagree on their common fac
 
 TEST_CASE("Level set: on cells of different sizes, selected cells must contain the whole set")
 {
-  const Hierarchical_field field = hierarchical_squared_norm(5, 10, 0.25, 4);
+  const Field field = hierarchical_squared_norm(5, 10, 0.25, 4);
   Mesh mesh;
-  const Hierarchical_field::Cell_index last = field.locate(Point_3(0.7, 0.7, 0.1));
+  const Field::Cell_index last = field.locate(Point_3(0.7, 0.7, 0.1));
   std::vector<char> passed(field.number_of_cells(), 0);
   std::size_t refused = 0, all = 0;
-  for(Hierarchical_field::Cell_index c = 0; c < field.number_of_cells(); ++c) {
+  for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c) {
     const auto range = field.cell(c).coefficient_range();
     if(range.first > 0.98 || range.second < 0.98) continue;
     const CGAL::Bbox_3 box = field.cell(c).bbox();
@@ -447,8 +442,8 @@ TEST_CASE("Level set: on cells of different sizes, selected cells must contain t
 TEST_CASE("Level set: the set of a varying threshold is where the field equals the threshold")
 {
   // |x|^2 = 1 + x / 2 is a sphere around (1/4, 0, 0)
-  const Hierarchical_field field = hierarchical_squared_norm(2, 10, 0.25, 3);
-  const CGAL::Bspline_shells::Spline_threshold<Hierarchical_field> threshold(
+  const Field field = hierarchical_squared_norm(2, 10, 0.25, 3);
+  const CGAL::Bspline_shells::Spline_threshold<Field> threshold(
     make_hierarchical_field(2, 10, 0.25, 3, [](const Vector_3& g, double) { return 1 + g.x() / 2; }));
   Mesh mesh;
   REQUIRE(extract_level_set(field, threshold, mesh) == Level_set_status::SUCCESS);

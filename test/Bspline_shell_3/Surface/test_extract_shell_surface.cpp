@@ -7,7 +7,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Surface/extract_level_set.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
@@ -33,7 +33,7 @@ namespace {
 
 namespace BS = CGAL::Bspline_shells;
 namespace PMP = CGAL::Polygon_mesh_processing;
-typedef BS::Uniform_bspline_field_3<> Field;
+typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef CGAL::Bspline_shell_3<Field> Shell;
 typedef BS::Shell_certificate_3<Field> Certificate;
 using BS::Level_set_status;
@@ -91,7 +91,7 @@ const Field& two_shells()
     Field f{ BS::Cell_complex_3(lattice, keys) };
     Eigen::VectorXd x(Eigen::Index(f.number_of_coefficients()));
     for(std::size_t n = 0; n < f.number_of_coefficients(); ++n) {
-      const auto& p = f.functions().point(Field::Cell_index(n));
+      const auto& p = f.points(0).point(Field::Cell_index(n));
       const double r = width * std::sqrt(double(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]));
       x[Eigen::Index(n)] = -8 * (r - 0.7) * (r - 0.7);
     }
