@@ -32,6 +32,7 @@ Exact_point lattice_coordinates(const Field& field, const Exact_point& p)
 }
 
 // Returns the spline, or its derivative of the given order along each axis, per user unit.
+// \pre all cells have the same size
 template <typename Field>
 Rational exact_value(const Field& field, const Exact_point& p, const std::array<int, 3>& order = { 0, 0, 0 })
 {
@@ -46,7 +47,7 @@ Rational exact_value(const Field& field, const Exact_point& p, const std::array<
   for(int k = 0; k < 6; ++k)
     for(int j = 0; j < 6; ++j)
       for(int i = 0; i < 6; ++i) {
-        const auto g = field.functions().index(first[0] + i, first[1] + j, first[2] + k);
+        const auto g = field.points(0).index(first[0] + i, first[1] + j, first[2] + k);
         if(g != field.npos && b[0][i] != 0 && b[1][j] != 0 && b[2][k] != 0)
           sum += Rational(field.coefficients()[g]) * b[0][i] * b[1][j] * b[2][k];
       }

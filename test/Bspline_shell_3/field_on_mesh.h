@@ -5,7 +5,7 @@
 #include "coefficient_functions.h"
 #include "input_of_mesh.h"
 
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 
 #include <CGAL/Random.h>
@@ -15,7 +15,7 @@
 
 struct Field_on_mesh
 {
-  typedef CGAL::Bspline_shells::Uniform_bspline_field_3<> Field;
+  typedef CGAL::Bspline_shells::Hierarchical_bspline_field_3<> Field;
 
   CGAL::Bspline_shells::Input_mesh_3 input;
   CGAL::Bspline_shells::Clipped_mesh_3 clipped;

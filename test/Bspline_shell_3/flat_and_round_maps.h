@@ -12,7 +12,7 @@
 #include <array>
 #include <vector>
 
-typedef CGAL::Bspline_shell_3<Uniform_field> Polynomial_shell;
+typedef CGAL::Bspline_shell_3<Field> Polynomial_shell;
 typedef CGAL::Bspline_shells::Shell_map_3<Polynomial_shell, Mesh> Polynomial_map;
 
 // f = z

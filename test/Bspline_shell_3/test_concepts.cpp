@@ -184,11 +184,11 @@ public:
   }
 };
 
-// BsplineField_3: a uniform field with only the required members
+// BsplineField_3: a second model of the concept, with only the required members
 class Field_archetype
 {
 protected:
-  typedef BS::Uniform_bspline_field_3<> Model;
+  typedef BS::Hierarchical_bspline_field_3<> Model;
   Model m_model;
 
 public:
@@ -204,7 +204,7 @@ public:
   Field_archetype() = default;
   explicit Field_archetype(const Model& model, int) : m_model(model) {}
 
-  const BS::Cell_complex_3& cells() const { return m_model.cells(); }
+  const BS::Cell_hierarchy_3& cells() const { return m_model.cells(); }
   std::size_t number_of_cells() const { return m_model.number_of_cells(); }
   Cell cell(Cell_index c) const { return m_model.cell(c); }
   Cell_index locate(const Point_3& p) const { return m_model.locate(Model::Point_3(p.x(), p.y(), p.z())); }
@@ -360,8 +360,6 @@ TEST_CASE("ShellVisitor: the archetype is called in each step")
 
 TEST_CASE("BsplineField_3: bounds, shells and level sets require no more of a field than the archetype has")
 {
-  check_field_interface<BS::Uniform_bspline_field_3<> >();
-  check_field_interface<BS::Uniform_bspline_field_3<CGAL::Simple_cartesian<double> > >();
   check_field_interface<BS::Hierarchical_bspline_field_3<> >();
   check_field_interface<BS::Hierarchical_bspline_field_3<CGAL::Simple_cartesian<double> > >();
   check_field_interface<Field_archetype>();

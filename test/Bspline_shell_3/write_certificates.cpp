@@ -34,8 +34,7 @@
 #include <vector>
 
 namespace BS = CGAL::Bspline_shells;
-typedef BS::Uniform_bspline_field_3<> Uniform_field;
-typedef BS::Hierarchical_bspline_field_3<> Hierarchical_field;
+typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef std::function<double(const Point_3&)> Function;
 
 const double width = 0.25; // for cells of level 0
@@ -51,7 +50,6 @@ Root_cells cells_near(const Function& f, double distance, const Lattice_point& s
 }
 
 // Sets each coefficient to the value of the function at its point.
-template <typename Field>
 Field spline(Field field, const Function& f)
 {
   set_coefficients(field, [&](const Point_3& p, double) { return f(p); });
@@ -82,7 +80,7 @@ bool write(const std::string& prefix, const Shell& shell, const Certificate& cer
   return good;
 }
 
-template <typename Field, typename Threshold>
+template <typename Threshold>
 bool write(const std::string& prefix, const Field& f, const Threshold& inner, const Threshold& outer, const Mesh& mesh,
            const std::set<BS::Claim>& not_proved = {})
 {
@@ -132,13 +130,11 @@ int main(int argc, char** argv)
   // around the unit sphere
   const Function around = [](const Point_3& p) { return distance(p, CGAL::ORIGIN) - 1; };
   const Root_cells roots = cells_near(around, 0.6, { 8, 8, 8 });
-  const Uniform_field equal(roots);
+  const Field equal(roots);
   CGAL::Random random(1);
   good = write_varying(directory + "varying", equal, sphere(1)) && good;
-  good = write_varying(directory + "varying_hierarchy", Hierarchical_field(random_hierarchy(random, roots, 3)),
-                       sphere(1))
-         && good;
-  const Uniform_field more(cells_near(around, 0.7, { 8, 8, 8 })); // the overhang does not reach their border
+  good = write_varying(directory + "varying_hierarchy", Field(random_hierarchy(random, roots, 3)), sphere(1)) && good;
+  const Field more(cells_near(around, 0.7, { 8, 8, 8 })); // the overhang does not reach their border
   for(bool inner : { true, false }) {
     const Point_3 place = inner ? Point_3(0, 0.5, 0.5) : Point_3(0, 0.75, 1);
     const Function bump = [&](const Point_3&p) { return p == place ? inner ? -2. : 3. : 0.; },
@@ -150,7 +146,7 @@ int main(int argc, char** argv)
 
   // Claims that are not proved: two small spheres in the shell of a large one, and a vertex outside the shell.
   {
-    const Uniform_field f = spline(equal, around);
+    const Field f = spline(equal, around);
     const BS::Constant_threshold inner(-0.2), outer(0.2);
     const Mesh small = joined(sphere(1, 0.1, Point_3(1, 0, 0)), sphere(1, 0.1, Point_3(-1, 0, 0)));
     good = write(directory + "small_spheres", f, inner, outer, small,
@@ -172,7 +168,7 @@ int main(int argc, char** argv)
     const Function squared = [&](const Point_3& p) { return sign * (CGAL::squared_distance(p, center) - 1) / 2; };
     Mesh ball = sphere(1, 1, center);
     if(sign < 0) ball = reversed(ball);
-    const Uniform_field f = spline(Uniform_field(cells_near(squared, 0.7, { 8, 8, 8 })), squared);
+    const Field f = spline(Field(cells_near(squared, 0.7, { 8, 8, 8 })), squared);
     const double critical = f.value(center).value(), radius = 0.035;
     const BS::Constant_threshold beside(critical + sign * radius * radius / 2), far(sign * 0.2);
     good = write(directory + (sign > 0 ? "critical_below" : "critical_above"), f, sign > 0 ? beside : far,
@@ -192,7 +188,7 @@ int main(int argc, char** argv)
     return (std::min)((std::max)(distance(p, place) - 1.25, 0.5 - distance(p, place)), distance(p, beside) - 0.6);
   };
   const Mesh mesh = joined(joined(reversed(sphere(1, 0.5, place)), sphere(1, 1.25, place)), sphere(1, 0.6, beside));
-  const Uniform_field field = spline(Uniform_field(cells_near(f, 0.5, { 12, 8, 8 })), f);
+  const Field field = spline(Field(cells_near(f, 0.5, { 12, 8, 8 })), f);
   good = write(directory + "components", field, BS::Constant_threshold(-0.1), BS::Constant_threshold(0.15), mesh)
          && good;
 

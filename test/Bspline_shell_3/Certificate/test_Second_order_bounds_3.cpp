@@ -26,9 +26,9 @@ namespace {
 
 namespace BS = CGAL::Bspline_shells;
 typedef BS::Constant_threshold Constant;
-typedef BS::Spline_threshold<Hierarchical_field> Varying;
-typedef BS::Second_order_bounds_3<Uniform_field> Bounds;
-typedef BS::Second_order_bounds_3<Hierarchical_field, Varying> Varying_bounds;
+typedef BS::Spline_threshold<Field> Varying;
+typedef BS::Second_order_bounds_3<Field> Bounds;
+typedef BS::Second_order_bounds_3<Field, Varying> Varying_bounds;
 typedef std::array<Point_3, 3> Triangle;
 using BS::Verdict;
 
@@ -44,13 +44,12 @@ typename AnyBounds::Facet_bounds examine(const AnyBounds& bounds, const Triangle
                         BS::facet_normal(t[0], t[1], t[2]), most_bisections, wanted_slope);
 }
 
-Bounds between(const Uniform_field& field, double inner, double outer)
+Bounds between(const Field& field, double inner, double outer)
 {
   return Bounds(field, Constant(inner), Constant(outer));
 }
 
-bool is_contained(const Uniform_field& field, double inner, double outer, const Triangle& t,
-                  std::size_t most_bisections = many)
+bool is_contained(const Field& field, double inner, double outer, const Triangle& t, std::size_t most_bisections = many)
 {
   return examine(between(field, inner, outer), t, most_bisections).is_contained;
 }
@@ -149,7 +148,7 @@ Triangle horizontal(double radius, double z, double x = 0)
 
 // Returns whether a triangle is proved to be in a shell whose outer (if `side` > 0) or inner threshold is beyond the
 // values at samples by a share of their range. The other threshold is far away.
-bool is_contained_with_margin(const Uniform_field& field, double side, double share, const Triangle& t,
+bool is_contained_with_margin(const Field& field, double side, double share, const Triangle& t,
                               std::size_t most_bisections = many)
 {
   const Extrema e = values(field, t);
@@ -169,8 +168,8 @@ Triangle scaled(const Triangle& t, double scale)
 
 TEST_CASE("Second-order bounds: proved claims hold at all samples, and claims that barely fail are not proved")
 {
-  Uniform_field field(cells_of_cube());
-  const BS::Field_predicates_3<Uniform_field> predicates(field);
+  Field field(cells_of_cube());
+  const BS::Field_predicates_3<Field> predicates(field);
   int proved = 0, transversal = 0, missed = 0;
   for(int n = 0; n < 60; ++n) {
     CGAL::Random random{ unsigned(n) };
@@ -211,15 +210,15 @@ TEST_CASE("Second-order bounds: on a hierarchy, between varying thresholds, prov
   int proved = 0, transversal = 0;
   for(int seed = 1; seed < 9; ++seed) {
     CGAL::Random random{ unsigned(seed) };
-    Hierarchical_field field(random_hierarchy(random, cells_of_cube(), 4, 2));
+    Field field(random_hierarchy(random, cells_of_cube(), 4, 2));
     REQUIRE(field.number_of_levels() > 2);
-    Hierarchical_field inner = field, outer = field;
+    Field inner = field, outer = field;
     const double noise = std::ldexp(0.2, -seed);
     set_random(field, random, height, noise);
     set_random(inner, random, { { 1, { 0, 0, 1 } }, { -0.2, { 0, 0, 0 } } }, noise);
     set_random(outer, random, { { 1, { 0, 0, 1 } }, { 0.2, { 0, 0, 0 } } }, noise);
     const Varying_bounds bounds(field, Varying(inner), Varying(outer));
-    const BS::Field_predicates_3<Hierarchical_field> predicates(field);
+    const BS::Field_predicates_3<Field> predicates(field);
     for(int n = 0; n < 60; ++n) {
       Triangle t = random_triangle(random, n);
       if(n % 2 == 0) // move it to where leaves are smallest
@@ -234,7 +233,7 @@ TEST_CASE("Second-order bounds: on a hierarchy, between varying thresholds, prov
         double least = inf;
         for_each_sample(t, [&](const Point_3& p) {
           const auto c = field.locate(p);
-          if(c == Hierarchical_field::npos) return; // outside the domain, by rounding
+          if(c == Field::npos) return; // outside the domain, by rounding
           const double f = field.cell(c).value(p);
           least = (std::min)({ least, f - inner.cell(c).value(p), outer.cell(c).value(p) - f });
         });
@@ -255,7 +254,7 @@ TEST_CASE("Second-order bounds: on a hierarchy, between varying thresholds, prov
 
 TEST_CASE("Second-order bounds: a slight peak in a facet or on an edge is detected, and curvature away costs nothing")
 {
-  const Uniform_field field = uniform_field(dome);
+  const Field field = uniform_field(dome);
   const Triangle around_peak = horizontal(0.2, 0.1),
                  across_edge = { Point_3(-0.2, 0, 0.1), Point_3(0.2, 0, 0.1), Point_3(0, 0.2, 0.1) };
   for(const Triangle& t : { around_peak, across_edge })
@@ -265,21 +264,21 @@ TEST_CASE("Second-order bounds: a slight peak in a facet or on an edge is detect
     }
   // The bound is the best of its kind: it is attained in the middle of an equilateral triangle in one cell.
   const Triangle in_a_cell = horizontal(0.0625, 0.1, 0.125);
-  const Uniform_field centered = uniform_field({ { -1, { 2, 0, 0 } },
-                                                 { -1, { 0, 2, 0 } },
-                                                 { 0.25, { 1, 0, 0 } },
-                                                 { 0.25, { 0, 1, 0 } },
-                                                 { 1, { 0, 0, 1 } },
-                                                 { -0.1, { 0, 0, 0 } } });
+  const Field centered = uniform_field({ { -1, { 2, 0, 0 } },
+                                         { -1, { 0, 2, 0 } },
+                                         { 0.25, { 1, 0, 0 } },
+                                         { 0.25, { 0, 1, 0 } },
+                                         { 1, { 0, 0, 1 } },
+                                         { -0.1, { 0, 0, 0 } } });
   const double peak = 0.03125; // at (1/8, 1/8, 1/10)
   CHECK(is_contained(centered, -1, peak + 1e-12, in_a_cell, 0));
   CHECK_FALSE(is_contained(centered, -1, peak - 1e-12, in_a_cell));
-  const Uniform_field minimum = uniform_field({ { 1, { 2, 0, 0 } },
-                                                { 1, { 0, 2, 0 } },
-                                                { -0.25, { 1, 0, 0 } },
-                                                { -0.25, { 0, 1, 0 } },
-                                                { 1, { 0, 0, 1 } },
-                                                { -0.1, { 0, 0, 0 } } });
+  const Field minimum = uniform_field({ { 1, { 2, 0, 0 } },
+                                        { 1, { 0, 2, 0 } },
+                                        { -0.25, { 1, 0, 0 } },
+                                        { -0.25, { 0, 1, 0 } },
+                                        { 1, { 0, 0, 1 } },
+                                        { -0.1, { 0, 0, 0 } } });
   CHECK(is_contained(minimum, -peak - 1e-12, 1, in_a_cell, 0));
   CHECK_FALSE(is_contained(minimum, -peak + 1e-12, 1, in_a_cell));
   for(double share : { 0.1, 0.2, 0.4 }) { // relative to the height above the corners
@@ -344,7 +343,7 @@ TEST_CASE("Second-order bounds: a facet that faces away only in cells without it
   // z times a function of x that is close to |x|, and slightly negative at 0
   constexpr double width = 0.25;
   for(double margin : { 1e-9, 0.1, -0.5 }) {
-    Uniform_field field(cells_of_cube());
+    Field field(cells_of_cube());
     set_coefficients(field,
                      [&](const Point_3& p, double) { return p.z() * (std::abs(p.x()) / width - 1. / 3 - margin); });
     const Eigen::VectorXd x = field.coefficients();
@@ -371,7 +370,7 @@ TEST_CASE("Second-order bounds: a facet that faces away only in cells without it
 TEST_CASE("Second-order bounds: curvature across a facet's plane does not weaken its bounds")
 {
   // The field is steep and curved across the facet, but linear in its plane.
-  const Uniform_field field = uniform_field(
+  const Field field = uniform_field(
     { { 1, { 0, 0, 1 } }, { 0.9, { 0, 0, 2 } }, { 0.7, { 0, 0, 3 } }, { 0.2, { 1, 0, 0 } } });
   const Triangle t = { Point_3(-0.3, -0.2, 0.3), Point_3(0.3, -0.2, 0.3), Point_3(0, 0.3, 0.3) };
   const Extrema e = values(field, t);
@@ -387,9 +386,9 @@ TEST_CASE(
   "Second-order bounds: a bump of the field or of a threshold in the smallest cells is detected anywhere on a facet")
 {
   CGAL::Random random(3);
-  Hierarchical_field field(random_hierarchy(random, cells_of_cube(), 4, 1));
+  Field field(random_hierarchy(random, cells_of_cube(), 4, 1));
   set_polynomial(field, height);
-  Hierarchical_field inner = field, outer = field;
+  Field inner = field, outer = field;
   set_polynomial(inner, { { -0.2, { 0, 0, 0 } }, { 1, { 0, 0, 1 } } });
   set_polynomial(outer, { { 0.2, { 0, 0, 0 } }, { 1, { 0, 0, 1 } } });
   const int finest = field.number_of_levels() - 1;
@@ -398,9 +397,9 @@ TEST_CASE(
   // value of a basis function at its center
   const double peak = 8. / 27;
   int bumps = 0;
-  for(Hierarchical_field::Cell_index n = 0; n < field.points(finest).size() && bumps < 7; n += 29) {
+  for(Field::Cell_index n = 0; n < field.points(finest).size() && bumps < 7; n += 29) {
     const auto coefficient = field.coefficient_of_point(field.first_point(finest) + n);
-    if(coefficient == Hierarchical_field::npos) continue;
+    if(coefficient == Field::npos) continue;
     const CGAL::Bbox_3 b = field.support(coefficient);
     const Point_3 top((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2);
     if(!(std::abs(top.x()) < 0.8 && std::abs(top.y()) < 0.8 && std::abs(top.z()) < 0.8)) continue;
@@ -413,7 +412,7 @@ TEST_CASE(
     for(Point_3& p : t)
       p = Point_3((std::min)((std::max)(p.x(), -0.95), 0.95), (std::min)((std::max)(p.y(), -0.95), 0.95), p.z());
     if(!(CGAL::cross_product(t[1] - t[0], t[2] - t[0]).z() > 0)) continue;
-    const auto with_bump = [&](Hierarchical_field f, double bump) {
+    const auto with_bump = [&](Field f, double bump) {
       Eigen::VectorXd c = f.coefficients();
       c[coefficient] += bump;
       f.set_coefficients(c);
@@ -423,8 +422,8 @@ TEST_CASE(
     // A bump of the field or of a threshold, 1/8 higher than the room permits, or 1/8 lower.
     for(double sign : { 1., -1. }) {
       const double bump = sign * 0.2 / peak;
-      const Hierarchical_field too_high = with_bump(field, 1.125 * bump), high = with_bump(field, 0.875 * bump);
-      const Hierarchical_field& narrow = sign > 0 ? outer : inner;
+      const Field too_high = with_bump(field, 1.125 * bump), high = with_bump(field, 0.875 * bump);
+      const Field& narrow = sign > 0 ? outer : inner;
       const Varying too_narrow(with_bump(narrow, -1.125 * bump)), less_narrow(with_bump(narrow, -0.875 * bump));
       const bool is_met = [&] {
         double farthest = 0;
@@ -433,7 +432,7 @@ TEST_CASE(
           100);
         return farthest > 0.2;
       }();
-      const auto contained = [&](const Hierarchical_field& f, const Varying& i, const Varying& o) {
+      const auto contained = [&](const Field& f, const Varying& i, const Varying& o) {
         return examine(Varying_bounds(f, i, o), t).is_contained;
       };
       if(is_met) {
@@ -454,7 +453,7 @@ TEST_CASE(
 
 TEST_CASE("Second-order bounds: facets tilted by 1e-9 are classified correctly, and slopes agree with closed forms")
 {
-  const Uniform_field field = uniform_field(height);
+  const Field field = uniform_field(height);
   const Bounds flat = between(field, -2, 2);
   const Point_3 p(0, 0, 0), q(0.4, 0, 0);
   CHECK(examine(flat, { p, q, Point_3(0, 0.4, 0) }).is_transversal);
@@ -476,7 +475,7 @@ TEST_CASE("Second-order bounds: facets tilted by 1e-9 are classified correctly, 
   for(double margin : { 1e-12, 1e-3 }) {
     for(double sign : { 1., -1. }) {
       const double least = sign * margin; // at x = 0
-      const Uniform_field turned = uniform_field({ { least, { 0, 0, 1 } }, { 2, { 2, 0, 1 } } });
+      const Field turned = uniform_field({ { least, { 0, 0, 1 } }, { 2, { 2, 0, 1 } } });
       const auto found = examine(between(turned, -5, 5), around, many, 100);
       if(sign < 0) CHECK_FALSE(found.is_transversal);
       if(found.is_transversal) CHECK(found.slope <= least);
@@ -488,7 +487,7 @@ TEST_CASE("Second-order bounds: facets tilted by 1e-9 are classified correctly, 
 TEST_CASE(
   "Second-order bounds: needles, facets in lattice planes, and corners at lattice points are handled like others")
 {
-  const Uniform_field field = uniform_field(height);
+  const Field field = uniform_field(height);
   const Bounds bounds = between(field, -0.95, 0.95);
   // The sign of the exact normal's z decides.
   const Point_3 p(-0.55, 0.15, 0.35), q(0.65, 0.55, 0.45), up = CGAL::midpoint(p, q) + Vector_3(-0.4e-12, 1.2e-12, 0);
@@ -512,8 +511,8 @@ TEST_CASE(
 TEST_CASE("Second-order bounds: nothing is proved beyond the end of the domain, or across a hole in it")
 {
   const Lattice_point first = { -4, -4, -4 }, last = { 3, 3, 3 };
-  Uniform_field field(cells_where(BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.25, first, last), first, last,
-                                  [](int i, int j, int) { return !(i == 0 && j == 1); }));
+  Field field(cells_where(BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.25, first, last), first, last,
+                          [](int i, int j, int) { return !(i == 0 && j == 1); }));
   set_polynomial(field, height);
   const Bounds bounds = between(field, -2, 2);
   const auto proves_any = [&](const Triangle& t) {
@@ -542,7 +541,7 @@ TEST_CASE("Second-order bounds: nothing is proved beyond the end of the domain, 
                                       many);
     CHECK_FALSE((found.is_contained || found.is_transversal || found.leaves_shell || found.faces_away));
   }
-  const Uniform_field nowhere;
+  const Field nowhere;
   const Bounds none = between(nowhere, -1, 1);
   CHECK_FALSE(examine(none, horizontal(0.1, 0)).is_contained);
   CHECK_FALSE(examine(none, horizontal(0.1, 0)).is_transversal);
@@ -550,8 +549,8 @@ TEST_CASE("Second-order bounds: nothing is proved beyond the end of the domain, 
 
 TEST_CASE("Second-order bounds: coefficients that are not finite prevent proofs where they act, and nowhere else")
 {
-  Hierarchical_field field = hierarchical_field(height);
-  Hierarchical_field inner = field, outer = field;
+  Field field = hierarchical_field(height);
+  Field inner = field, outer = field;
   set_polynomial(inner, { { -0.95, { 0, 0, 0 } } });
   set_polynomial(outer, { { 0.95, { 0, 0, 0 } } });
   CGAL::Random random(17);
@@ -559,7 +558,7 @@ TEST_CASE("Second-order bounds: coefficients that are not finite prevent proofs 
   for(double bad : { not_a_number, inf, -inf, 1.7e308, -1.7e308 })
     for(int which = 0; which < 3; ++which)
       for(int n = 0; n < 3; ++n) {
-        std::array<Hierarchical_field, 3> f = { { field, inner, outer } };
+        std::array<Field, 3> f = { { field, inner, outer } };
         Eigen::VectorXd x = f[which].coefficients();
         // a coefficient of small cells, or of large ones
         x[n == 0 ? random.get_int(0, int(x.size()) / 2) : int(x.size()) - 1 - random.get_int(0, 600)] = bad;
@@ -572,7 +571,7 @@ TEST_CASE("Second-order bounds: coefficients that are not finite prevent proofs 
           bool meets = false;
           for_each_sample(t, [&](const Point_3& p) {
             const auto c = field.locate(p);
-            if(c == Hierarchical_field::npos) return;
+            if(c == Field::npos) return;
             const double* b = f[which].cell(c).coefficients();
             meets = meets || !std::isfinite(f[which].cell(c).error_radius())
                     || std::any_of(b, b + 64, [](double value) { return !(std::abs(value) < 1e300); });
@@ -586,7 +585,7 @@ TEST_CASE("Second-order bounds: coefficients that are not finite prevent proofs 
       }
   CHECK(affected > 50);
   CHECK(left > 100);
-  const Uniform_field plane = uniform_field(height);
+  const Field plane = uniform_field(height);
   for(double level : { not_a_number, inf }) {
     CHECK_FALSE(is_contained(plane, level, 1, horizontal(0.1, 0)));
     CHECK_FALSE(is_contained(plane, -1, -level, horizontal(0.1, 0)));
@@ -598,9 +597,9 @@ TEST_CASE("Second-order bounds: rounding yields no false proof if values are lar
   CGAL::Random random(41);
   int exceeded = 0, turned = 0;
   for(int n = 0; n < 4; ++n) {
-    Uniform_field field(cells_of_cube());
+    Field field(cells_of_cube());
     set_random(field, random, { { 1e6, { 0, 0, 0 } }, { 1, { 0, 0, 1 } } }, 1e-3);
-    const BS::Field_predicates_3<Uniform_field> predicates(field);
+    const BS::Field_predicates_3<Field> predicates(field);
     for(int m = 0; m < 16; ++m) {
       const Point_3 p = CGAL::ORIGIN + random_vector(random, 0.9);
       const Triangle t = { p, p + Vector_3(-1e-3, 0, -1e-2), p + Vector_3(0, -1e-3, -1e-2) };
@@ -639,7 +638,7 @@ TEST_CASE("Second-order bounds: answers do not depend on a power-of-two scale, a
       { -1000, -700, -565, -520, -511, -505, -300, 0, 60, 480, 511, 513, 514, 515, 518, 520, 530, 565, 700, 900 }) {
     CAPTURE(exponent);
     const double scale = std::ldexp(1., exponent);
-    const Uniform_field field = fields(scale);
+    const Field field = fields(scale);
     for(double size : { 1., 0.5, 0.125, std::ldexp(1., -10) }) {
       // The peak, 0.1, is in the middle.
       const Triangle here = scaled({ Point_3(size * t[0].x(), size * t[0].y(), 0.1),
@@ -658,7 +657,7 @@ TEST_CASE("Second-order bounds: answers do not depend on a power-of-two scale, a
     }
   }
   // in cells of width one quarter
-  const Uniform_field field = fields(1);
+  const Field field = fields(1);
   const Bounds bounds = between(field, -0.5, 0.5);
   for(double size : { 1e-20, 1e-100, 1e-200, 1e-300 }) {
     const auto found = examine(bounds, scaled(horizontal(1, 0.5), size), 0);
@@ -671,7 +670,7 @@ TEST_CASE("Second-order bounds: answers do not depend on a power-of-two scale, a
 TEST_CASE("Second-order bounds: fewer bisections prove fewer claims, and never different ones")
 {
   CGAL::Random random(23);
-  Uniform_field field(cells_of_cube());
+  Field field(cells_of_cube());
   set_random(field, random, height, 0.02);
   const Bounds bounds = between(field, -0.5, 0.5);
   std::array<int, 4> proved = {};
@@ -697,7 +696,7 @@ TEST_CASE("Second-order bounds: fewer bisections prove fewer claims, and never d
 TEST_CASE("Second-order bounds: the bound of the slope is close to the least slope, up to the requested value")
 {
   CGAL::Random random(29);
-  Uniform_field field(cells_of_cube());
+  Field field(cells_of_cube());
   set_random(field, random, height, 0.01);
   const Bounds bounds = between(field, -2, 2);
   for(int n = 0; n < 60; ++n) {
@@ -720,10 +719,10 @@ TEST_CASE(
   "Second-order bounds: results are rigorous in any rounding mode, and do not depend on the mode of the first query")
 {
   CGAL::Random random(31);
-  Uniform_field field(cells_of_cube());
+  Field field(cells_of_cube());
   set_random(field, random, height, 0.02);
   const Bounds bounds = between(field, -0.5, 0.5);
-  const BS::Field_predicates_3<Uniform_field> predicates(field);
+  const BS::Field_predicates_3<Field> predicates(field);
   for(int n = 0; n < 60; ++n) {
     const Triangle t = random_triangle(random, n);
     if(CGAL::collinear(t[0], t[1], t[2])) continue;
@@ -747,9 +746,9 @@ TEST_CASE(
 
 TEST_CASE("Second-order bounds: few bisections prove nearly all facets of a mesh in a shell")
 {
-  const Uniform_field field = uniform_field(squared_distance);
+  const Field field = uniform_field(squared_distance);
   const Bounds bounds = between(field, 0.3, 0.66);
-  const BS::Field_predicates_3<Uniform_field> predicates(field);
+  const BS::Field_predicates_3<Field> predicates(field);
   for(int subdivisions : { 1, 2, 3 }) {
     const Mesh mesh = sphere(subdivisions, 0.8);
     std::size_t proved = 0, by_predicates = 0;
@@ -772,9 +771,9 @@ TEST_CASE("Second-order bounds: near the origin, where positions are exact, roun
   int turned = 0;
   const Polynomial steep = { { 1, { 0, 0, 1 } } };
   for(int n = 0; n < 2; ++n) {
-    Uniform_field field(cells_of_cube());
+    Field field(cells_of_cube());
     set_random(field, random, steep, 0.5);
-    const BS::Field_predicates_3<Uniform_field> predicates(field);
+    const BS::Field_predicates_3<Field> predicates(field);
     for(int m = 0; m < 8; ++m) {
       const Point_3 p = CGAL::ORIGIN + random_vector(random, 1e-9);
       const auto g = field.gradient(p);
@@ -816,7 +815,7 @@ TEST_CASE("Second-order bounds: a peak due to a mixed derivative is detected for
       };
       Triangle needle = { point(0.22, 0.02), point(0.02, 0.22), point(0.219, 0.019) };
       if(normal(needle)[c] < 0) std::swap(needle[0], needle[1]);
-      const Uniform_field field = uniform_field(mixed);
+      const Field field = uniform_field(mixed);
       for(double share : { -0.03, -0.2, -0.4 }) CHECK_FALSE(is_contained_with_margin(field, sign, share, needle, 0));
       CHECK(is_contained_with_margin(field, sign, 2, needle));
     }
@@ -830,7 +829,7 @@ TEST_CASE("Second-order bounds: a facet parallel to the gradient does not face i
     // The gradient is exactly along an edge of the facet.
     const auto integer = [&] { return random.get_int(-60, 60); };
     const double a = integer(), b = integer(), c = 1 + std::abs(integer());
-    const Uniform_field field = uniform_field({ { a, { 1, 0, 0 } }, { b, { 0, 1, 0 } }, { c, { 0, 0, 1 } } });
+    const Field field = uniform_field({ { a, { 1, 0, 0 } }, { b, { 0, 1, 0 } }, { c, { 0, 0, 1 } } });
     const Point_3 p(0, 0, 0), q(a / 128, b / 128, c / 128);
     const auto number = [&] { return random.get_double(-1, 1) + std::ldexp(random.get_double(-1, 1), -31); };
     const double s = number(), width = std::ldexp(1., -20 - n % 5);
@@ -862,8 +861,8 @@ TEST_CASE("Second-order bounds: a facet that leaves the domain between its corne
     }
   };
   for(int missing = 0; missing < 4; ++missing) {
-    Uniform_field field(cells_where(BS::Lattice_3(CGAL::Bbox_3(-2, -2, -2, 2, 2, 2), 1), { -2, -2, -2 }, { 1, 1, 1 },
-                                    [&](int i, int j, int) { return ((i >= 0) | (j >= 0) << 1) != missing; }));
+    Field field(cells_where(BS::Lattice_3(CGAL::Bbox_3(-2, -2, -2, 2, 2, 2), 1), { -2, -2, -2 }, { 1, 1, 1 },
+                            [&](int i, int j, int) { return ((i >= 0) | (j >= 0) << 1) != missing; }));
     set_polynomial(field, height);
     const Bounds bounds = between(field, -5, 5);
     const double sx = missing & 1 ? 1 : -1, sy = missing & 2 ? 1 : -1; // towards the missing cells
@@ -1047,20 +1046,19 @@ TEST_CASE("Second-order bounds: verdicts on a field with an error radius hold fo
 TEST_CASE("Second-order bounds: concurrent requests for the same cells yield the same results as one thread")
 {
   CGAL::Random random(5);
-  Hierarchical_field field(random_hierarchy(random, cells_of_cube(), 4, 2));
+  Field field(random_hierarchy(random, cells_of_cube(), 4, 2));
   set_random(field, random, height, 0.05);
   std::vector<Triangle> triangles;
   for(int n = 0; n < 300; ++n) triangles.push_back(random_triangle(random, n));
-  typedef BS::Second_order_bounds_3<Hierarchical_field> Hierarchical_bounds;
-  const auto examine_all = [&](const Hierarchical_bounds& bounds) {
+  const auto examine_all = [&](const Bounds& bounds) {
     std::vector<double> slopes;
     for(const Triangle& t : triangles) slopes.push_back(examine(bounds, t).slope);
     return slopes;
   };
-  const std::vector<double> expected = examine_all(Hierarchical_bounds(field, Constant(-10), Constant(10)));
+  const std::vector<double> expected = examine_all(Bounds(field, Constant(-10), Constant(10)));
   CHECK(std::any_of(expected.begin(), expected.end(), [](double slope) { return slope > 0; }));
   for(int times = 0; times < 20; ++times) {
-    const Hierarchical_bounds bounds(field, Constant(-10), Constant(10));
+    const Bounds bounds(field, Constant(-10), Constant(10));
     std::array<std::vector<double>, 4> found;
     std::vector<std::thread> threads;
     for(auto& slopes : found) threads.emplace_back([&] { slopes = examine_all(bounds); });

@@ -107,7 +107,7 @@ TEST_CASE("Containment: all points of a contained segment are contained, even if
   // The field is close to 4 (|x| - 0.8) (0.95 - |x|). The shell is at the inner sphere, but its leaves also contain
   // parts of the component at the outer one.
   namespace BS = CGAL::Bspline_shells;
-  typedef BS::Uniform_bspline_field_3<> Field;
+  typedef BS::Hierarchical_bspline_field_3<> Field;
   constexpr double outer = 0.95;
   const Field field = radial_spline<Field>(12, 1. / 8, [](double r) { return 4 * (r - 0.8) * (outer - r) + 0.025; });
   const BS::Level_range levels{ -0.02, 0.008 };
@@ -150,15 +150,14 @@ TEST_CASE("Containment: points on a level are contained, but segments and triang
   // The field has no critical point.
   auto report = without_cover.report();
   report.certificate.verdicts[std::size_t(BS::Claim::GRADIENT)] = BS::Verdict::PROVED;
-  CGAL::Bspline_shell_3<Uniform_field> with_cover(without_cover.field(),
-                                                  { without_cover.inner_level(), without_cover.outer_level() },
-                                                  without_cover.shell_cells(), {}, report);
-  BS::Shell_cover_3<Uniform_field> cover(with_cover.field(), with_cover.inner_threshold(),
-                                         with_cover.outer_threshold());
+  CGAL::Bspline_shell_3<Field> with_cover(without_cover.field(),
+                                          { without_cover.inner_level(), without_cover.outer_level() },
+                                          without_cover.shell_cells(), {}, report);
+  BS::Shell_cover_3<Field> cover(with_cover.field(), with_cover.inner_threshold(), with_cover.outer_threshold());
   REQUIRE(cover.flood<CGAL::Sequential_tag>(Point_3(0.1, 0.1, 0.3), 0) == 0);
   with_cover.set_proved_cover(cover.boxes());
   for(const auto* shell : { &without_cover, &std::as_const(with_cover) }) {
-    const BS::Shell_containment_3<Uniform_field> contains(*shell);
+    const BS::Shell_containment_3<Field> contains(*shell);
     for(double x : { -0.7, 0., 0.1, 0.5 }) {
       CHECK(contains(Point_3(x, 0.2, 0.25)));
       CHECK(contains(Point_3(x, 0.2, 0.5)));

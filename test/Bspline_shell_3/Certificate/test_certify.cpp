@@ -290,14 +290,14 @@ TEST_CASE("certify: matching certificates of different thresholds or fields is u
   const Shell shell = CGAL::bspline_shell_3(mesh, BS::parameters::resolution(12.)),
               copy(Shell::Field(shell.field()), BS::Level_range{ shell.inner_level(), shell.outer_level() },
                    shell.shell_cells(), {}, shell.report());
-  typedef BS::Shell_certificate_3<Field> Uniform_certificate;
+  typedef BS::Shell_certificate_3<> Certificate;
   const auto certificate = [&](const Field& field, double inner, double outer) {
-    Uniform_certificate result(field, BS::Constant_threshold(inner), BS::Constant_threshold(outer));
+    Certificate result(field, BS::Constant_threshold(inner), BS::Constant_threshold(outer));
     REQUIRE(result.verify(mesh));
     return result;
   };
   const double inner = shell.inner_level(), outer = shell.outer_level();
-  const Uniform_certificate first = certificate(shell.field(), inner, outer);
+  const Certificate first = certificate(shell.field(), inner, outer);
   CHECK(first.matches(certificate(shell.field(), inner, outer)) == Verdict::PROVED);
   CHECK(first.matches(certificate(shell.field(), 1.01 * inner, outer)) == Verdict::UNDECIDED);
   CHECK(first.matches(certificate(shell.field(), inner, 1.01 * outer)) == Verdict::UNDECIDED);

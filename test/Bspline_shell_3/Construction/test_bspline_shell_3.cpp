@@ -69,14 +69,15 @@ void check_shell(const Shell& shell, const Mesh& mesh)
   const double rounding = 1e-14 * shell.report().unit;
   bool in_levels = true, in_facet_ranges = true, bounded = true;
   BS::Level_range sampled;
-  for_each_point_on_mesh(mesh, shell.field().cells().width() / 10, [&](std::size_t facet, const Point_3& p) {
-    const double f = shell.field().value(p).value();
-    sampled.include(f);
-    in_levels = in_levels && f >= shell.inner_level() && f <= shell.outer_level();
-    const BS::Level_range& range = shell.facet_ranges()[facet];
-    in_facet_ranges = in_facet_ranges && f >= range.min - rounding && f <= range.max + rounding;
-    bounded = bounded && shell.bounded_side(p) != CGAL::ON_UNBOUNDED_SIDE;
-  });
+  for_each_point_on_mesh(mesh, shell.field().cells().lattice().spacing() / 10,
+                         [&](std::size_t facet, const Point_3& p) {
+                           const double f = shell.field().value(p).value();
+                           sampled.include(f);
+                           in_levels = in_levels && f >= shell.inner_level() && f <= shell.outer_level();
+                           const BS::Level_range& range = shell.facet_ranges()[facet];
+                           in_facet_ranges = in_facet_ranges && f >= range.min - rounding && f <= range.max + rounding;
+                           bounded = bounded && shell.bounded_side(p) != CGAL::ON_UNBOUNDED_SIDE;
+                         });
   CHECK(in_levels);
   CHECK(in_facet_ranges);
   CHECK(bounded);
@@ -232,10 +233,10 @@ TEST_CASE("resolution() and grid_spacing() can request the same cells")
   for(const Shell* shell : { &a, &b, &c, &d }) REQUIRE(*shell);
   CHECK(a.report().gamma == 16);
   CHECK(a.report().unit == 4);
-  CHECK(a.field().cells().width() == 0.25);
+  CHECK(a.field().cells().lattice().spacing() == 0.25);
   CHECK(same(a, b));
   CHECK(same(a, c));
-  CHECK(d.field().cells().width() == 0.5);
+  CHECK(d.field().cells().lattice().spacing() == 0.5);
 }
 
 TEST_CASE("The domain of the field consists of the cells of the mesh and the requested rings around them")
@@ -244,7 +245,7 @@ TEST_CASE("The domain of the field consists of the cells of the mesh and the req
   for(int rings : { 2, 3 }) {
     const Shell shell = CGAL::bspline_shell_3(mesh, P::resolution(16).number_of_rings(rings));
     REQUIRE(shell);
-    const double w = shell.field().cells().width();
+    const double w = shell.field().cells().lattice().spacing();
     // There are this many cells around the mesh, in every direction.
     bool covered = true;
     for(auto v : mesh.vertices())
@@ -453,7 +454,7 @@ TEST_CASE("A shell that leaves its cells is rejected if the number of rings is g
   CHECK(recorder.steps == expected);
 
   // At the end of the cells, the field is not between the levels.
-  const double w = shell.field().cells().width();
+  const double w = shell.field().cells().lattice().spacing();
   bool separated = true;
   for(Shell::Field::Cell_index c = 0; c < shell.field().number_of_cells(); ++c) {
     if(!shell.shell_cells()[c]) continue;

@@ -182,20 +182,31 @@ TEST_CASE("Shell files: a certified shell that was read can be certified again, 
   }
 }
 
-TEST_CASE("Shell files: a shell is only read into a shell of the same type")
+TEST_CASE("Shell files: a shell is only read into a shell with the same type of thresholds")
 {
-  Shell uniform = other_shell();
+  Shell constant = other_shell();
   Varying_shell varying = small_varying_shell();
-  CGAL::Bspline_shell_3<BS::Hierarchical_bspline_field_3<> > levels;
   for(Format format : { Format::BINARY, Format::ASCII }) {
-    const std::string of_uniform = written(small_shell(), format), of_varying = written(small_varying_shell(), format);
-    CHECK(read(of_varying, uniform) == Status::OTHER_KIND);
-    CHECK(read(of_uniform, varying) == Status::OTHER_KIND);
-    CHECK(read(of_uniform, levels) == Status::OTHER_KIND);
-    CHECK(read(of_varying, levels) == Status::OTHER_KIND);
+    CHECK(read(written(small_varying_shell(), format), constant) == Status::OTHER_KIND);
+    CHECK(read(written(small_shell(), format), varying) == Status::OTHER_KIND);
   }
-  CHECK(same(uniform, other_shell()));
+  CHECK(same(constant, other_shell()));
   CHECK(same(varying, small_varying_shell()));
+}
+
+TEST_CASE("Shell files: files of older versions, with another word for a field on cells of one size, are read")
+{
+  const Shell shell = small_shell();
+  Lines lines = lines_of(written(shell, Format::ASCII));
+  lines[4] = with_word(lines[4], 1, "uniform");
+  Shell from_text, from_bytes;
+  CHECK(read(text_of(lines), from_text) == Status::SUCCESS);
+  CHECK(same(from_text, shell));
+  std::string bytes = written(shell, Format::BINARY);
+  bytes.resize(bytes.size() - 8);
+  bytes.replace(104, 8, as_bytes(std::uint64_t(0)));
+  CHECK(read(bytes + as_bytes(slow_checksum(bytes)), from_bytes) == Status::SUCCESS);
+  CHECK(same(from_bytes, shell));
 }
 
 TEST_CASE("Shell files: a truncated file is rejected, wherever it ends, and the shell is unchanged")
@@ -390,7 +401,7 @@ TEST_CASE("Shell files: leaves that are not a graded hierarchy are rejected, eve
                       + std::to_string(o >> 2) + " 1");
   for(const char* line : { "facet_ranges 0", "closing 0 0 0", "paths 0", "truncation", "0 0 0 0 0 0" })
     lines.push_back(line);
-  Levels_shell none;
+  Shell none;
   CHECK(read(text_of(lines), none) == Status::DAMAGED);
   const BS::Lattice_3 lattice = text.shell.field().cells().lattice();
   std::vector<std::vector<std::uint64_t> > keys(3);

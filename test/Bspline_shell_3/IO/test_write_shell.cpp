@@ -48,8 +48,8 @@ TEST_CASE("Shell files: the text follows the format")
   std::string word, kind;
   double origin[3], spacing;
   std::istringstream(lines[4]) >> word >> kind >> origin[0] >> origin[1] >> origin[2] >> spacing;
-  CHECK(kind == "uniform");
-  CHECK(spacing == field.cells().width());
+  CHECK(kind == "hierarchical");
+  CHECK(spacing == field.cells().lattice().spacing());
   // Compute f from the functions alone, as a sum of B-splines centered at lattice points.
   CGAL::Random random(5);
   for(Field::Cell_index c = 0; c < 2; ++c)
@@ -159,7 +159,7 @@ TEST_CASE("Shell files: the binary data follow the format")
   CHECK(at<std::uint64_t>(bytes, 80) == 80);
   CHECK(at<std::uint64_t>(bytes, 88) == 2);
   CHECK(at<std::uint64_t>(bytes, 96) == 3);
-  CHECK(at<std::uint64_t>(bytes, 104) == 0);
+  CHECK(at<std::uint64_t>(bytes, 104) == 1);
   CHECK(at<char>(bytes, 112) == 0);
   CHECK(at<std::int32_t>(bytes, 113) == -1);
   CHECK(at<std::int32_t>(bytes, 121) == 2);

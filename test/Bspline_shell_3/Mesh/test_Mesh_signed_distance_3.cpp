@@ -105,11 +105,11 @@ double distance_to_box(const Point_3& p, const Point_3& a, const Point_3& b)
   return inside > 0 ? std::sqrt(outside) : inside;
 }
 
-BS::Cell_complex_3 all_cells(const BS::Input_mesh_3& input, double spacing, int rings)
+Root_cells all_cells(const BS::Input_mesh_3& input, double spacing, int rings)
 {
   const BS::Lattice_3 lattice(input.bbox(), spacing);
-  return BS::Cell_complex_3(lattice,
-                            BS::dilate(BS::cells_entered_by_mesh<CGAL::Sequential_tag>(input, lattice), -rings, rings));
+  return Root_cells(lattice,
+                    BS::dilate(BS::cells_entered_by_mesh<CGAL::Sequential_tag>(input, lattice), -rings, rings));
 }
 
 // The samples that are computed together, compared with single queries.
@@ -118,13 +118,12 @@ struct Comparison
   std::size_t samples = 0, negative = 0, positive = 0, wrong_sign = 0, wrong_distance = 0;
 };
 
-template <typename Cells>
-Comparison compare(const BS::Mesh_signed_distance_3& oracle, const Cells& cells, const std::vector<double>& samples)
+Comparison compare(const BS::Mesh_signed_distance_3& oracle, const Hierarchy& cells, const std::vector<double>& samples)
 {
   Comparison c;
   c.samples = samples.size();
   for(std::size_t n = 0; n < samples.size(); ++n) {
-    const Point_3 p = BS::Distance_samples::point<Point_3>(cells, typename Cells::Index(n / 8), int(n % 8));
+    const Point_3 p = BS::Distance_samples::point<Point_3>(cells, Hierarchy::Index(n / 8), int(n % 8));
     const double expected = oracle(p);
     ++(expected < 0 ? c.negative : c.positive);
     c.wrong_sign += (expected < 0) != (samples[n] < 0);
@@ -133,8 +132,7 @@ Comparison compare(const BS::Mesh_signed_distance_3& oracle, const Cells& cells,
   return c;
 }
 
-template <typename Cells>
-void check_samples(const BS::Mesh_signed_distance_3& oracle, const Cells& cells)
+void check_samples(const BS::Mesh_signed_distance_3& oracle, const Hierarchy& cells)
 {
   const std::vector<double> samples = BS::sample_signed_distance<CGAL::Sequential_tag>(oracle, cells);
   REQUIRE(samples.size() == 8 * cells.number_of_cells());
@@ -150,7 +148,7 @@ void check_samples(const Mesh& mesh, double spacing, int rings)
 {
   const BS::Input_mesh_3 input = input_of(mesh);
   const BS::Mesh_signed_distance_3 oracle(input);
-  const BS::Cell_complex_3 cells = all_cells(input, spacing, rings);
+  const Root_cells cells = all_cells(input, spacing, rings);
   check_samples(oracle, cells);
   // The same check on leaves of different sizes.
   CGAL::Random random(7);
@@ -401,12 +399,12 @@ TEST_CASE("Signed distance: if a mesh intersects itself, the closest facet deter
 TEST_CASE("Distance samples: all samples together form a uniform lattice, with two samples per cell and axis")
 {
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5);
-  const BS::Cell_complex_3 cells(lattice, BS::dilate({ BS::Lattice_key::encode(0, 0, 0) }, 0, 1));
+  const Hierarchy cells(Root_cells(lattice, BS::dilate({ BS::Lattice_key::encode(0, 0, 0) }, 0, 1)));
   std::vector<std::array<double, 3> > expected, points;
   for(double z : { 1, 3, 5, 7 })
     for(double y : { 1, 3, 5, 7 })
       for(double x : { 1, 3, 5, 7 }) expected.push_back({ x / 8, y / 8, z / 8 });
-  for(BS::Cell_complex_3::Index c = 0; c < 8; ++c)
+  for(Hierarchy::Index c = 0; c < 8; ++c)
     for(int s = 0; s < BS::Distance_samples::per_cell; ++s) {
       const Point_3 p = BS::Distance_samples::point<Point_3>(cells, c, s);
       CHECK(cells.locate(p) == c);
@@ -434,14 +432,14 @@ TEST_CASE("Distance samples: samples of many cells agree with single queries", "
 TEST_CASE("Distance samples: the oracle may be given by the user")
 {
   const BS::Input_mesh_3 input = input_of(sphere(1));
-  const BS::Cell_complex_3 cells = all_cells(input, 0.2, 2);
+  const Hierarchy cells = all_cells(input, 0.2, 2);
   const Ball ball = { 0.9 };
   const std::vector<double> samples = BS::sample_signed_distance<CGAL::Sequential_tag>(ball, cells);
   REQUIRE(samples.size() == 8 * cells.number_of_cells());
   int wrong = 0;
   for(std::size_t n = 0; n < samples.size(); ++n) {
-    const std::array<double, 3> corner = cells.corner(BS::Cell_complex_3::Index(n / 8));
-    const double w = cells.width();
+    const std::array<double, 3> corner = cells.corner(Hierarchy::Index(n / 8));
+    const double w = cells.width(Hierarchy::Index(n / 8));
     wrong += samples[n]
              != ball(Point_3(corner[0] + (n & 1 ? .75 : .25) * w, corner[1] + (n & 2 ? .75 : .25) * w,
                              corner[2] + (n & 4 ? .75 : .25) * w));

@@ -53,11 +53,6 @@ double distance(const Point& p, const Point& q)
 }
 
 // Returns the number of successive cuts: six, and three for each lower level.
-template <typename Cells>
-int number_of_cuts(const Cells&)
-{
-  return 6;
-}
 int number_of_cuts(const Hierarchy& cells)
 {
   return 6 + 3 * (cells.number_of_levels() - 1);
@@ -81,8 +76,7 @@ Root_cells cells_of(const BS::Input_mesh_3& input, const BS::Lattice_3& lattice)
 }
 
 // Checks all properties of pieces, point by point, in exact arithmetic.
-template <typename Cells>
-Faults faults_of(const Clipped& clipped, const std::vector<Triangle>& triangles, const Cells& cells)
+Faults faults_of(const Clipped& clipped, const std::vector<Triangle>& triangles, const Hierarchy& cells)
 {
   Faults faults;
   std::vector<double> area(triangles.size(), 0), area_error(triangles.size(), 0);
@@ -153,8 +147,7 @@ std::set<Point> points_on_edge(const Clipped& clipped, const std::vector<const C
   return points;
 }
 
-template <typename Cells>
-void check_pieces(const BS::Input_mesh_3& input, const Cells& cells, bool with_edges)
+void check_pieces(const BS::Input_mesh_3& input, const Hierarchy& cells, bool with_edges)
 {
   const Clipped clipped = BS::clip_mesh_to_cells<Tag>(input, cells);
   const std::vector<Triangle> triangles = triangles_of(input);
@@ -399,7 +392,7 @@ TEST_CASE("Clipped mesh: cuts do not overshoot the ends of an edge that lie on a
   }
   const BS::Input_mesh_3 input = input_of(mesh);
   const Root_cells roots = cells_of(input, lattice);
-  const auto outside = [&](const auto& cells) {
+  const auto outside = [&](const Hierarchy& cells) {
     const Clipped clipped = BS::clip_mesh_to_cells<Tag>(input, cells);
     CHECK(clipped.number_of_pieces() > clipped.number_of_facets());
     int outside = 0;

@@ -24,7 +24,7 @@ namespace {
 namespace BS = CGAL::Bspline_shells;
 namespace P = CGAL::Bspline_shells::parameters;
 using BS::Flow_status;
-typedef CGAL::Bspline_shell_3<Uniform_field> Shell;
+typedef CGAL::Bspline_shell_3<Field> Shell;
 typedef BS::Shell_projection_3<Shell, Mesh> Projection;
 typedef Projection::Image Image;
 

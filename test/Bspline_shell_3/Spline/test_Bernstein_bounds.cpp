@@ -5,7 +5,7 @@
 
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 
 #include <CGAL/Random.h>
 
@@ -340,7 +340,7 @@ TEST_CASE("Bernstein bounds: if a coefficient is not finite, or overflows on the
 TEST_CASE(
   "Bernstein bounds: a field on a cell has the cell's radius, and differences from thresholds include both radii")
 {
-  typedef BS::Uniform_bspline_field_3<> Field;
+  typedef BS::Hierarchical_bspline_field_3<> Field;
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 1);
   Field field(BS::Cell_complex_3(lattice, { BS::Lattice_key::encode(0, 0, 0) })), other = field;
   CGAL::Random random(7);

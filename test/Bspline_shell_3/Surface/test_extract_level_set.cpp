@@ -4,7 +4,6 @@
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
@@ -31,7 +30,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 using CGAL::Bspline_shells::Level_set_status;
 using CGAL::Bspline_shells::extract_level_set;
 
-typedef CGAL::Bspline_shells::Uniform_bspline_field_3<Kernel> Field;
+typedef CGAL::Bspline_shells::Hierarchical_bspline_field_3<Kernel> Field;
 typedef CGAL::Bspline_shells::Hierarchical_bspline_field_3<Kernel> Hierarchical_field;
 typedef CGAL::Bspline_shells::Cell_complex_3 Cells;
 typedef CGAL::Bspline_shells::Lattice_3 Lattice;
@@ -51,6 +50,13 @@ Field make_field(int size, double width, const Coefficient& coefficient, const P
   return field;
 }
 
+// Returns a field on equal cells; `coefficient` is a function of the point, relative to the center.
+template <typename Coefficient>
+Field make_field(int size, double width, const Coefficient& coefficient, const Point_3& center = CGAL::ORIGIN)
+{
+  return make_field(cube(size, width, center), [&](const Vector_3& g, double) { return coefficient(g); });
+}
+
 // Returns |x|^2, which cubic splines reproduce.
 Field squared_norm(int size, double width, const Point_3& center = CGAL::ORIGIN)
 {
@@ -58,11 +64,9 @@ Field squared_norm(int size, double width, const Point_3& center = CGAL::ORIGIN)
     size, width, [width](const Vector_3& g) { return g.squared_length() - width * width; }, center);
 }
 
-// Returns a field on the same cells, some of them split, with the given number of levels. `coefficient` is a function
-// of the point, and of the width of cells of its level.
+// Returns a field on the same cells, some of them split, with the given number of levels.
 template <typename Coefficient>
-Hierarchical_field make_hierarchical_field(unsigned seed, int size, double width, int levels,
-                                           const Coefficient& coefficient)
+Field make_hierarchical_field(unsigned seed, int size, double width, int levels, const Coefficient& coefficient)
 {
   CGAL::Random random(seed);
   const Lattice lattice(Point_3(0, 0, 0).bbox(), width);
@@ -74,7 +78,7 @@ Hierarchical_field make_hierarchical_field(unsigned seed, int size, double width
   return field;
 }
 
-Hierarchical_field hierarchical_squared_norm(unsigned seed, int size, double width, int levels)
+Field hierarchical_squared_norm(unsigned seed, int size, double width, int levels)
 {
   return make_hierarchical_field(seed, size, width, levels,
                                  [](const Vector_3& g, double h) { return g.squared_length() - h * h; });
@@ -337,7 +341,7 @@ TEST_CASE("Level set: across cells of different sizes, the set is closed and on 
   for(unsigned seed = 0; seed < 6; ++seed) {
     const int levels = 2 + int(seed) % 3;
     // Levels change at the sphere, so it crosses cells of two sizes.
-    const Hierarchical_field field = hierarchical_squared_norm(seed, levels < 4 ? 10 : 14, 0.25, levels);
+    const Field field = hierarchical_squared_norm(seed, levels < 4 ? 10 : 14, 0.25, levels);
     REQUIRE(*field.value(Point_3(0.3, 0.4, 1.2)) == Approx(1.69));
     for(double level : { 1.21, 1., 1.5625, 2.1 }) // some pass through corners of cells
       for(int ratio : { 1, 2, 3 }) {
@@ -371,9 +375,9 @@ TEST_CASE("Level set: cells of different sizes that disagree on their common fac
 
 TEST_CASE("Level set: on cells of different sizes, selected cells must contain the whole set")
 {
-  const Hierarchical_field field = hierarchical_squared_norm(5, 10, 0.25, 4);
+  const Field field = hierarchical_squared_norm(5, 10, 0.25, 4);
   Mesh mesh;
-  const Hierarchical_field::Cell_index last = field.locate(Point_3(0.7, 0.7, 0.1));
+  const Field::Cell_index last = field.locate(Point_3(0.7, 0.7, 0.1));
   std::vector<char> passed(field.number_of_cells(), 0);
   std::size_t rejected = 0, all = 0;
   for(Hierarchical_field::Cell_index c = 0; c < field.number_of_cells(); ++c) {
@@ -400,8 +404,8 @@ TEST_CASE("Level set: on cells of different sizes, selected cells must contain t
 TEST_CASE("Level set: the set of a varying threshold is where the field equals the threshold")
 {
   // |x|^2 = 1 + x / 2 is a sphere around (1/4, 0, 0)
-  const Hierarchical_field field = hierarchical_squared_norm(2, 10, 0.25, 3);
-  const CGAL::Bspline_shells::Spline_threshold<Hierarchical_field> threshold(
+  const Field field = hierarchical_squared_norm(2, 10, 0.25, 3);
+  const CGAL::Bspline_shells::Spline_threshold<Field> threshold(
     make_hierarchical_field(2, 10, 0.25, 3, [](const Vector_3& g, double) { return 1 + g.x() / 2; }));
   const Mesh mesh = closed_level_set(field, threshold);
   CHECK(euler_characteristic(mesh) == 2);

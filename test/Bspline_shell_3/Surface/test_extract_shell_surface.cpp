@@ -5,7 +5,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Surface/extract_level_set.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
@@ -30,7 +30,7 @@ namespace {
 
 namespace BS = CGAL::Bspline_shells;
 namespace PMP = CGAL::Polygon_mesh_processing;
-typedef BS::Uniform_bspline_field_3<> Field;
+typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef CGAL::Bspline_shell_3<Field> Shell;
 typedef BS::Shell_certificate_3<Field> Certificate;
 using BS::Level_set_status;

@@ -67,7 +67,7 @@ namespace Bspline_shells {
  * \tparam Field_ a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
  */
-template <typename Field_ = Uniform_bspline_field_3<>, typename Threshold = Constant_threshold>
+template <typename Field_ = Hierarchical_bspline_field_3<>, typename Threshold = Constant_threshold>
 class Shell_certificate_3
 {
 public:

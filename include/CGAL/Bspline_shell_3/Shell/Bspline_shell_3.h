@@ -6,8 +6,8 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SHELL_BSPLINE_SHELL_3_H
 #define CGAL_BSPLINE_SHELL_3_SHELL_BSPLINE_SHELL_3_H
 
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Cover_box.h>
@@ -42,7 +42,7 @@ class Second_order_bounds_3;
  * \tparam Field_ a model of `BsplineField_3`
  * \tparam Threshold_ a model of `ShellThreshold`
  */
-template <typename Field_ = Bspline_shells::Uniform_bspline_field_3<>,
+template <typename Field_ = Bspline_shells::Hierarchical_bspline_field_3<>,
           typename Threshold_ = Bspline_shells::Constant_threshold>
 class Bspline_shell_3
 {
