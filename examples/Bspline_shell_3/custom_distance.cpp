@@ -12,17 +12,6 @@
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
-// a model of SignedDistanceOracle_3
-struct Distance_to_sphere
-{
-  typedef Kernel::Point_3 Point_3;
-  double radius;
-  double operator()(const Point_3& p) const
-  {
-    return std::sqrt(CGAL::squared_distance(p, Point_3(CGAL::ORIGIN))) - radius;
-  }
-};
-
 int main(int argc, char** argv)
 {
   const double radius = argc > 1 ? std::atof(argv[1]) : 1;
@@ -34,9 +23,11 @@ int main(int argc, char** argv)
     mesh.point(v) = CGAL::ORIGIN + radius / std::sqrt(d.squared_length()) * d;
   }
 
+  const auto distance_to_sphere = [radius](const Kernel::Point_3& p) {
+    return std::sqrt(CGAL::squared_distance(p, Kernel::Point_3(CGAL::ORIGIN))) - radius;
+  };
   namespace parameters = CGAL::Bspline_shells::parameters;
-  const auto shell = CGAL::bspline_shell_3(
-    mesh, parameters::resolution(30).signed_distance_oracle(Distance_to_sphere{ radius }));
+  const auto shell = CGAL::bspline_shell_3(mesh, parameters::resolution(30).signed_distance_oracle(distance_to_sphere));
   if(!shell) {
     std::cerr << shell.message() << std::endl;
     return EXIT_FAILURE;

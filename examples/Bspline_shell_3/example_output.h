@@ -158,7 +158,7 @@ inline bool report_obstacles(const BS::Shell_report& report, const std::string& 
   std::vector<Kernel::Point_3> places;
   for(const BS::Refinement_obstacle& o : report.obstacles) {
     places.emplace_back(o.point[0], o.point[1], o.point[2]);
-    if(places.size() <= 5) std::cerr << message(o, report.unit) << "\n";
+    if(places.size() <= 5) std::cerr << message(o, report.unit, report.refinement) << "\n";
   }
   if(places.size() > 5) std::cerr << "... (" << places.size() << " places in total)" << std::endl;
   return places.empty() || write_result(file, [&](std::ostream& out) {

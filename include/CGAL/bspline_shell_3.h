@@ -68,8 +68,8 @@ namespace CGAL {
  *       \cgalParamDefault{`Bspline_shells::Conjugate_gradient_solver`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{signed_distance_oracle}
- *       \cgalParamDescription{a function used instead of the signed distance to the mesh; it is copied unless it is
- *         passed by `std::cref()`}
+ *       \cgalParamDescription{a function of a point, for example a lambda expression, used instead of the signed
+ *         distance to the mesh; it is copied unless it is passed by `std::cref()`}
  *       \cgalParamType{a model of `SignedDistanceOracle_3`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{memory_limit}

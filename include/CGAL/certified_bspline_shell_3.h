@@ -129,8 +129,8 @@ namespace CGAL {
  *       \cgalParamDefault{`Bspline_shells::Conjugate_gradient_solver` with a tolerance of 1e-4}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{signed_distance_oracle}
- *       \cgalParamDescription{a function used instead of the signed distance to the mesh; it is copied unless it is
- *         passed by `std::cref()`}
+ *       \cgalParamDescription{a function of a point, for example a lambda expression, used instead of the signed
+ *         distance to the mesh; it is copied unless it is passed by `std::cref()`}
  *       \cgalParamType{a model of `SignedDistanceOracle_3`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{allow_self_intersections}
@@ -161,7 +161,7 @@ namespace CGAL {
  *   (`Bspline_shell_3::is_certified()`); `Bspline_shell_3::message()` and the report give the reason if it is not. If
  *   no shell was built, the returned object converts to `false`, and `Bspline_shell_3::status()` is the reason. If a
  *   parameter is invalid, `Shell_report::invalid_parameter` contains its name and bounds.
- * \cgalHeading{Cost} Time and memory are about linear in the number of facets and in the number of cells, most of which
+ * \cgalHeading{Cost} Time and memory are about linear in the number of facets and in the number of cells. Most cells
  *   are small and lie along creases and thin parts.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename PolygonMesh,

@@ -149,12 +149,12 @@ Bspline_shells::Soup_proxy_3 certified_soup_proxy_3(const PointRange& points, co
       auto shell = certified_bspline_shell_3<ConcurrencyTag>(wrap, np);
       return BS::Soup_proxy_3(soup, std::move(wrap), std::move(shell), report);
     } else {
-      double asked = 0, reach = (std::min)(8 * report.offset, deepest);
-      if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::thickness_t>::value) asked = thickness;
+      double requested = 0, reach = (std::min)(8 * report.offset, deepest);
+      if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::thickness_t>::value) requested = thickness;
       else if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::relative_thickness_t>::value)
-        asked = relative_thickness * unit;
-      report.is_thicker_than_asked = asked > 0 && reach > asked;
-      reach = (std::max)(asked, reach);
+        requested = relative_thickness * unit;
+      report.exceeds_requested_thickness = requested > 0 && reach > requested;
+      reach = (std::max)(requested, reach);
       auto shell = certified_bspline_shell_3<ConcurrencyTag>(
         wrap, BS::Named_parameters<double, tags::thickness_t, CGAL_NP_CLASS>(reach, np));
       return BS::Soup_proxy_3(soup, std::move(wrap), std::move(shell), report);

@@ -13,7 +13,7 @@ namespace Bspline_shells {
 template class Shell_facet_oracle_3<>;
 template class Shell_facet_oracle_3<Hierarchical_bspline_field_3<>, Spline_threshold<Hierarchical_bspline_field_3<> > >;
 #ifdef CGAL_LINKED_WITH_TBB
-template class Shell_facet_oracle_3<Uniform_bspline_field_3<>, Constant_threshold, Parallel_tag>;
+template class Shell_facet_oracle_3<Hierarchical_bspline_field_3<>, Constant_threshold, Parallel_tag>;
 template class Shell_facet_oracle_3<Hierarchical_bspline_field_3<>, Spline_threshold<Hierarchical_bspline_field_3<> >,
                                     Parallel_tag>;
 #endif

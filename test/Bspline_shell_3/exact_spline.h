@@ -3,19 +3,10 @@
 #ifndef EXACT_SPLINE_H
 #define EXACT_SPLINE_H
 
-#include <CGAL/Exact_rational.h>
+#include "exact_vectors.h"
 
 #include <array>
 #include <cmath>
-
-typedef CGAL::Exact_rational Rational;
-typedef std::array<Rational, 3> Exact_point;
-
-template <typename Point>
-Exact_point exact(const Point& p)
-{
-  return { Rational(p[0]), Rational(p[1]), Rational(p[2]) };
-}
 
 // Returns Eq. 3.1 of the paper as printed, or its pieces differentiated by hand.
 inline Rational bspline(const Rational& t, int order)
@@ -41,6 +32,7 @@ Exact_point lattice_coordinates(const Field& field, const Exact_point& p)
 }
 
 // Returns the spline, or its derivative of the given order along each axis, per user unit.
+// \pre all cells have the same size
 template <typename Field>
 Rational exact_value(const Field& field, const Exact_point& p, const std::array<int, 3>& order = { 0, 0, 0 })
 {
@@ -55,7 +47,7 @@ Rational exact_value(const Field& field, const Exact_point& p, const std::array<
   for(int k = 0; k < 6; ++k)
     for(int j = 0; j < 6; ++j)
       for(int i = 0; i < 6; ++i) {
-        const auto g = field.functions().index(first[0] + i, first[1] + j, first[2] + k);
+        const auto g = field.points(0).index(first[0] + i, first[1] + j, first[2] + k);
         if(g != field.npos && b[0][i] != 0 && b[1][j] != 0 && b[2][k] != 0)
           sum += Rational(field.coefficients()[g]) * b[0][i] * b[1][j] * b[2][k];
       }
@@ -64,9 +56,18 @@ Rational exact_value(const Field& field, const Exact_point& p, const std::array<
   return sum;
 }
 
+typedef std::array<Rational, 64> Exact_coefficients;
+
+inline Exact_coefficients exact_coefficients(const std::array<double, 64>& b)
+{
+  Exact_coefficients exact;
+  for(int n = 0; n < 64; ++n) exact[n] = Rational(b[n]);
+  return exact;
+}
+
 // Returns the polynomial with the given Bernstein coefficients on a cell, or a derivative of order at most two along
 // each axis, per unit of the cell.
-inline Rational bernstein_value(const std::array<Rational, 64>& b, const Exact_point& t,
+inline Rational bernstein_value(const Exact_coefficients& b, const Exact_point& t,
                                 const std::array<int, 3>& order = { 0, 0, 0 })
 {
   std::array<Rational, 4> w[3];

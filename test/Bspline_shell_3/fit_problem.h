@@ -7,13 +7,13 @@
 #include <CGAL/Bspline_shell_3/Fit/Fit_energy.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Mesh_signed_distance_3.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/Fit/sample_signed_distance.h>
 
 #include <Eigen/Core>
 
-typedef CGAL::Bspline_shells::Uniform_bspline_field_3<> Field;
+typedef CGAL::Bspline_shells::Hierarchical_bspline_field_3<> Field;
 typedef CGAL::Bspline_shells::Fit_energy<Field> Energy;
 typedef CGAL::Bspline_shells::Energy_term Term;
 typedef CGAL::Bspline_shells::Energy_weights Energy_weights;
@@ -73,12 +73,23 @@ struct Fit_problem
   {
     Eigen::VectorXd x(field.number_of_coefficients());
     for(Field::Cell_index n = 0; n < field.number_of_coefficients(); ++n) {
-      const auto& p = field.functions().point(n);
+      const auto& p = field.points(0).point(n);
       x[n] = f(double(p[0]), double(p[1]), double(p[2]));
     }
     return x;
   }
 };
+
+// Returns the lower triangle of (a b; b c).
+inline Eigen::SparseMatrix<double> lower_triangle(double a, double b, double c)
+{
+  Eigen::SparseMatrix<double> lower(2, 2);
+  lower.insert(0, 0) = a;
+  lower.insert(1, 0) = b;
+  lower.insert(1, 1) = c;
+  lower.makeCompressed();
+  return lower;
+}
 
 // Returns the coefficient of t^2 at the lattice coordinate i.
 inline double square_coefficient(double i)

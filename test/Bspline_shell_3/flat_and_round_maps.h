@@ -12,7 +12,7 @@
 #include <array>
 #include <vector>
 
-typedef CGAL::Bspline_shell_3<Uniform_field> Polynomial_shell;
+typedef CGAL::Bspline_shell_3<Field> Polynomial_shell;
 typedef CGAL::Bspline_shells::Shell_map_3<Polynomial_shell, Mesh> Polynomial_map;
 
 // f = z
@@ -29,41 +29,20 @@ inline const Polynomial_shell& ball()
   return shell;
 }
 
-inline std::vector<double> steps(double first, double last, int number)
-{
-  std::vector<double> result;
-  for(int n = 0; n <= number; ++n) result.push_back(first + (last - first) * n / number);
-  return result;
-}
-
-inline std::array<Point_3, 3> triangle(const Mesh& mesh, Mesh::Face_index f)
-{
-  const auto h = mesh.halfedge(f);
-  return { { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) } };
-}
-
-inline Point_3 centroid(const Mesh& mesh, Mesh::Face_index f)
-{
-  const std::array<Point_3, 3> t = triangle(mesh, f);
-  return CGAL::centroid(t[0], t[1], t[2]);
-}
-
 inline Vector_3 normal(const Mesh& mesh, Mesh::Face_index f)
 {
-  const std::array<Point_3, 3> t = triangle(mesh, f);
+  const std::array<Point_3, 3> t = corners(mesh, f);
   return CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
 }
 
 // Turns a mesh about the z-axis, then about the x-axis.
-inline Mesh turned(Mesh mesh, double angle)
+inline Mesh turned(const Mesh& mesh, double angle)
 {
   const double c = std::cos(angle), s = std::sin(angle);
-  for(auto v : mesh.vertices()) {
-    const Point_3 p = mesh.point(v);
+  return mapped(mesh, [&](const Point_3& p) {
     const Point_3 q(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z());
-    mesh.point(v) = Point_3(q.x(), c * q.y() - s * q.z(), s * q.y() + c * q.z());
-  }
-  return mesh;
+    return Point_3(q.x(), c * q.y() - s * q.z(), s * q.y() + c * q.z());
+  });
 }
 
 #endif // FLAT_AND_ROUND_MAPS_H

@@ -7,7 +7,6 @@
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 
 #include <CGAL/Random.h>
 
@@ -18,8 +17,7 @@
 #include <utility>
 #include <vector>
 
-typedef CGAL::Bspline_shells::Uniform_bspline_field_3<> Uniform_field;
-typedef CGAL::Bspline_shells::Hierarchical_bspline_field_3<> Hierarchical_field;
+typedef CGAL::Bspline_shells::Hierarchical_bspline_field_3<> Field;
 
 // Polynomials are sums of monomials, of degree at most three in each variable.
 struct Monomial
@@ -50,13 +48,12 @@ inline double coefficient(int power, double x, double w)
   }
 }
 
-template <typename Field>
-void set_polynomial(Field& field, const Polynomial& polynomial, const Frame& frame = Frame())
+inline void set_polynomial(Field& field, const Polynomial& polynomial, const Frame& frame = Frame())
 {
   const auto& lattice = field.cells().lattice();
   Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
   for(std::size_t n = 0; n < field.number_of_coefficients(); ++n) {
-    const auto point = field.point_of_coefficient(typename Field::Cell_index(n));
+    const auto point = field.point_of_coefficient(Field::Cell_index(n));
     int level = 0;
     while(point < field.first_point(level)) ++level; // the finest level comes first
     const auto& p = field.points(level).point(point - field.first_point(level));
@@ -85,33 +82,33 @@ inline Root_cells cells_of_cube(const Frame& frame = Frame())
     { -4, -4, -4 }, { 3, 3, 3 });
 }
 
-inline Uniform_field uniform_field(const Polynomial& polynomial, const Frame& frame = Frame())
+// Returns a field on cells of one size.
+inline Field uniform_field(const Polynomial& polynomial, const Frame& frame = Frame())
 {
-  Uniform_field field(cells_of_cube(frame));
+  Field field(cells_of_cube(frame));
   set_polynomial(field, polynomial, frame);
   return field;
 }
 
 // Returns a field on cells of three sizes.
-inline Hierarchical_field hierarchical_field(const Polynomial& polynomial, const Frame& frame = Frame(), int seed = 1)
+inline Field hierarchical_field(const Polynomial& polynomial, const Frame& frame = Frame(), int seed = 1)
 {
   CGAL::Random random(seed);
-  Hierarchical_field field(random_hierarchy(random, cells_of_cube(frame), 3, 2));
+  Field field(random_hierarchy(random, cells_of_cube(frame), 3, 2));
   set_polynomial(field, polynomial, frame);
   return field;
 }
 
 // Returns a shell; levels are in units of the frame.
-template <typename Field>
-CGAL::Bspline_shell_3<Field> shell_of(Field field, double inner, double outer, const Frame& frame = Frame())
+inline CGAL::Bspline_shell_3<> shell_of(Field field, double inner, double outer, const Frame& frame = Frame())
 {
   CGAL::Bspline_shells::Shell_report report;
   report.status = CGAL::Bspline_shells::Shell_status::SUCCESS;
   report.unit = 2 * frame.scale;
   std::vector<char> cells(field.number_of_cells(), 1);
-  return CGAL::Bspline_shell_3<Field>(std::move(field),
-                                      CGAL::Bspline_shells::Level_range{ frame.scale * inner, frame.scale * outer },
-                                      std::move(cells), {}, report);
+  return CGAL::Bspline_shell_3<>(std::move(field),
+                                 CGAL::Bspline_shells::Level_range{ frame.scale * inner, frame.scale * outer },
+                                 std::move(cells), {}, report);
 }
 
 inline const Polynomial squared_distance = { { 1, { 2, 0, 0 } }, { 1, { 0, 2, 0 } }, { 1, { 0, 0, 2 } } };

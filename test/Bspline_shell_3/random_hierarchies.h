@@ -14,17 +14,36 @@ typedef CGAL::Bspline_shells::Cell_hierarchy_3 Hierarchy;
 typedef CGAL::Bspline_shells::Cell_complex_3 Root_cells;
 typedef CGAL::Bspline_shells::Lattice_3::Point Lattice_point;
 
-// Returns roughly the given share of the cells between two lattice points, both included.
-inline Root_cells some_cells(CGAL::Random& random, const CGAL::Bspline_shells::Lattice_3& lattice,
-                             const Lattice_point& first, const Lattice_point& last, double share = 1)
+// Returns the cells between two lattice points, both included, that satisfy a predicate.
+template <typename Predicate>
+Root_cells cells_where(const CGAL::Bspline_shells::Lattice_3& lattice, const Lattice_point& first,
+                       const Lattice_point& last, const Predicate& is_included)
 {
   std::vector<std::uint64_t> keys;
   for(int k = first[2]; k <= last[2]; ++k)
     for(int j = first[1]; j <= last[1]; ++j)
       for(int i = first[0]; i <= last[0]; ++i)
-        if(share >= 1 || random.get_double() < share)
-          keys.push_back(CGAL::Bspline_shells::Lattice_key::encode(i, j, k));
+        if(is_included(i, j, k)) keys.push_back(CGAL::Bspline_shells::Lattice_key::encode(i, j, k));
   return Root_cells(lattice, keys);
+}
+
+inline Root_cells all_cells(const CGAL::Bspline_shells::Lattice_3& lattice, const Lattice_point& first,
+                            const Lattice_point& last)
+{
+  return cells_where(lattice, first, last, [](int, int, int) { return true; });
+}
+
+// Returns all cells of a lattice through the origin.
+inline Root_cells all_cells(double width, const Lattice_point& first, const Lattice_point& last)
+{
+  return all_cells(CGAL::Bspline_shells::Lattice_3::from_origin({ 0, 0, 0 }, width, first, last), first, last);
+}
+
+// Returns roughly the given share of the cells.
+inline Root_cells some_cells(CGAL::Random& random, const CGAL::Bspline_shells::Lattice_3& lattice,
+                             const Lattice_point& first, const Lattice_point& last, double share = 1)
+{
+  return cells_where(lattice, first, last, [&](int, int, int) { return share >= 1 || random.get_double() < share; });
 }
 
 // Returns random leaves of the finest existing level, so that levels grow.

@@ -2,6 +2,7 @@
 #ifndef SHELL_FILES_H
 #define SHELL_FILES_H
 
+#include "temporary_files.h"
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/IO/read_shell.h>
@@ -38,6 +39,20 @@ struct Cell_point
   int i, j, k;
 };
 
+template <typename Any_field>
+BS::Shell_report report_of(const Any_field& field)
+{
+  BS::Shell_report report;
+  report.status = BS::Shell_status::SUCCESS;
+  report.unit = 3.7;
+  report.gamma = report.unit / field.cells().lattice().spacing();
+  report.triangles = 20;
+  report.components = 1;
+  report.cells = field.number_of_cells();
+  report.unknowns = field.number_of_coefficients();
+  return report;
+}
+
 inline Shell shell_on(const BS::Lattice_3& lattice, const std::vector<Cell_point>& points,
                       const std::function<double(std::size_t)>& coefficient)
 {
@@ -48,22 +63,11 @@ inline Shell shell_on(const BS::Lattice_3& lattice, const std::vector<Cell_point
   Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
   for(Eigen::Index n = 0; n < x.size(); ++n) x[n] = coefficient(std::size_t(n));
   field.set_coefficients(x);
-  BS::Level_range levels, facet;
-  levels.min = -0.1;
-  levels.max = 1. / 3;
-  facet.min = -0.05;
-  facet.max = 0.3;
   std::vector<char> cells(keys.size(), 1);
   cells.front() = 0;
-  BS::Shell_report report;
-  report.status = BS::Shell_status::SUCCESS;
-  report.unit = 3.7;
-  report.gamma = report.unit / lattice.spacing();
-  report.triangles = 20;
-  report.components = 1;
-  report.cells = keys.size();
-  report.unknowns = std::size_t(x.size());
-  return Shell(field, levels, cells, std::vector<BS::Level_range>(3, facet), report);
+  const BS::Shell_report report = report_of(field);
+  return Shell(field, BS::Level_range{ -0.1, 1. / 3 }, cells,
+               std::vector<BS::Level_range>(3, BS::Level_range{ -0.05, 0.3 }), report);
 }
 
 // Returns a shell of two cells and 80 functions. Its file is short enough for exhaustive tests.
@@ -97,14 +101,7 @@ inline Varying_shell small_varying_shell()
     result.set_coefficients(x);
     return result;
   };
-  BS::Shell_report report;
-  report.status = BS::Shell_status::SUCCESS;
-  report.unit = 3.7;
-  report.gamma = report.unit / lattice.spacing();
-  report.triangles = 20;
-  report.components = 1;
-  report.cells = field.number_of_cells();
-  report.unknowns = field.number_of_coefficients();
+  BS::Shell_report report = report_of(field);
   report.thickness = 0.3;
   std::vector<char> cells(field.number_of_cells(), 1);
   cells.front() = 0;
@@ -183,20 +180,6 @@ Status read(const std::string& bytes, Any_shell& shell)
   std::istringstream in(bytes);
   return BS::read_shell(in, shell);
 }
-
-inline std::string contents(const std::string& name)
-{
-  std::ifstream in(name, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
-}
-
-// A file that is removed at the end of the test.
-struct Temporary_file
-{
-  explicit Temporary_file(const std::string& name) : name(name) {}
-  ~Temporary_file() { std::remove(name.c_str()); }
-  std::string name;
-};
 
 // Returns CRC-64/XZ, computed bit by bit.
 inline std::uint64_t slow_checksum(const std::string& bytes)

@@ -3,6 +3,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/bspline_shell_3.h>
+#include <CGAL/certified_bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
 #include <CGAL/Bspline_shell_3/Construction/shell_component.h>
 #include <CGAL/Bspline_shell_3/Fit/Conjugate_gradient_solver.h>
@@ -74,13 +75,24 @@ private:
   double m_radius;
 };
 
+double distance_to_ball(const Point_3& p)
+{
+  return std::sqrt(CGAL::squared_distance(p, Point_3(0, 0, 0))) - 0.95;
+}
+
+// Neither default-constructed, nor copied, nor assigned.
+struct Unique
+{
+  explicit Unique(int) {}
+  Unique(const Unique&) = delete;
+  Unique& operator=(const Unique&) = delete;
+};
+
 // SPDSolver: dense Cholesky factorization
-class Solver_archetype
+class Solver_archetype : Unique
 {
 public:
-  explicit Solver_archetype(int) {}
-  Solver_archetype(const Solver_archetype&) = delete;
-  Solver_archetype& operator=(const Solver_archetype&) = delete;
+  using Unique::Unique;
 
   BS::Solver_status compute(const Eigen::SparseMatrix<double>& lower, const BS::Unknown_blocks&)
   {
@@ -100,12 +112,10 @@ private:
 };
 
 // ShellVisitor
-class Visitor_archetype
+class Visitor_archetype : Unique
 {
 public:
-  explicit Visitor_archetype(int) {}
-  Visitor_archetype(const Visitor_archetype&) = delete;
-  Visitor_archetype& operator=(const Visitor_archetype&) = delete;
+  using Unique::Unique;
   bool start_step(BS::Shell_step)
   {
     ++calls;
@@ -115,12 +125,10 @@ public:
 };
 
 // RemeshingVisitor
-class Remeshing_visitor_archetype
+class Remeshing_visitor_archetype : Unique
 {
 public:
-  explicit Remeshing_visitor_archetype(int) {}
-  Remeshing_visitor_archetype(const Remeshing_visitor_archetype&) = delete;
-  Remeshing_visitor_archetype& operator=(const Remeshing_visitor_archetype&) = delete;
+  using Unique::Unique;
   bool start_iteration(unsigned int) { return true; }
   bool go_on()
   {
@@ -131,12 +139,10 @@ public:
 };
 
 // FlowVisitor
-class Flow_visitor_archetype
+class Flow_visitor_archetype : Unique
 {
 public:
-  explicit Flow_visitor_archetype(int) {}
-  Flow_visitor_archetype(const Flow_visitor_archetype&) = delete;
-  Flow_visitor_archetype& operator=(const Flow_visitor_archetype&) = delete;
+  using Unique::Unique;
   bool advance(std::size_t, std::size_t)
   {
     ++calls;
@@ -168,23 +174,21 @@ public:
 };
 
 // A mapping of transferred values: neither copied nor assigned.
-class Mapping_archetype
+class Mapping_archetype : Unique
 {
 public:
-  explicit Mapping_archetype(int) {}
-  Mapping_archetype(const Mapping_archetype&) = delete;
-  Mapping_archetype& operator=(const Mapping_archetype&) = delete;
+  using Unique::Unique;
   Value_archetype operator()(const Value_archetype& value, const BS::Flow_differential& d) const
   {
     return Value_archetype(value.m_value * d.matrix.determinant(), 0);
   }
 };
 
-// BsplineField_3: a uniform field with only the required members
+// BsplineField_3: a second model of the concept, with only the required members
 class Field_archetype
 {
 protected:
-  typedef BS::Uniform_bspline_field_3<> Model;
+  typedef BS::Hierarchical_bspline_field_3<> Model;
   Model m_model;
 
 public:
@@ -200,7 +204,7 @@ public:
   Field_archetype() = default;
   explicit Field_archetype(const Model& model, int) : m_model(model) {}
 
-  const BS::Cell_complex_3& cells() const { return m_model.cells(); }
+  const BS::Cell_hierarchy_3& cells() const { return m_model.cells(); }
   std::size_t number_of_cells() const { return m_model.number_of_cells(); }
   Cell cell(Cell_index c) const { return m_model.cell(c); }
   Cell_index locate(const Point_3& p) const { return m_model.locate(Model::Point_3(p.x(), p.y(), p.z())); }
@@ -263,34 +267,28 @@ void check_field_interface()
   typedef typename Field::Cell_index Cell_index;
   typedef typename Field::Cell Cell;
   typedef typename Field::Point_3 Point_3;
-  static_assert(std::is_default_constructible<Field>::value, "");
-  static_assert(std::is_copy_constructible<Field>::value && std::is_move_constructible<Field>::value, "");
-  static_assert(std::is_integral<Cell_index>::value, "");
-  static_assert(std::is_same<std::remove_cv_t<decltype(Field::npos)>, Cell_index>::value, "");
+  static_assert(std::is_default_constructible_v<Field>);
+  static_assert(std::is_copy_constructible_v<Field> && std::is_move_constructible_v<Field>);
+  static_assert(std::is_integral_v<Cell_index>);
+  static_assert(std::is_same_v<std::remove_cv_t<decltype(Field::npos)>, Cell_index>);
   typedef const Field& F;
-  static_assert(std::is_same<decltype(std::declval<F>().number_of_cells()), std::size_t>::value, "");
-  static_assert(std::is_same<decltype(std::declval<F>().cell(Cell_index())), Cell>::value, "");
-  static_assert(std::is_same<decltype(std::declval<F>().locate(std::declval<const Point_3&>())), Cell_index>::value,
-                "");
-  static_assert(std::is_same<decltype(std::declval<F>().has_exact_cells()), bool>::value, "");
+  static_assert(std::is_same_v<decltype(std::declval<F>().number_of_cells()), std::size_t>);
+  static_assert(std::is_same_v<decltype(std::declval<F>().cell(Cell_index())), Cell>);
+  static_assert(std::is_same_v<decltype(std::declval<F>().locate(std::declval<const Point_3&>())), Cell_index>);
+  static_assert(std::is_same_v<decltype(std::declval<F>().has_exact_cells()), bool>);
   static_assert(
-    std::is_same<decltype(std::declval<F>().visit_neighbors(Cell_index(), 0, true, Cell_visitor<Cell_index>())),
-                 bool>::value,
-    "");
-  static_assert(std::is_same<decltype(std::declval<F>().template bernstein_coefficients<float>(Cell_index())),
-                             std::array<float, 64> >::value,
-                "");
-  static_assert(std::is_same<decltype(std::declval<F>().value(std::declval<const Point_3&>())),
-                             std::optional<typename Field::FT> >::value,
-                "");
-  static_assert(std::is_same<decltype(std::declval<F>().gradient(std::declval<const Point_3&>())),
-                             std::optional<typename Field::Vector_3> >::value,
-                "");
-  static_assert(std::is_same<decltype(std::declval<F>().hessian(std::declval<const Point_3&>())),
-                             std::optional<Eigen::Matrix3d> >::value,
-                "");
+    std::is_same_v<decltype(std::declval<F>().visit_neighbors(Cell_index(), 0, true, Cell_visitor<Cell_index>())),
+                   bool>);
+  static_assert(std::is_same_v<decltype(std::declval<F>().template bernstein_coefficients<float>(Cell_index())),
+                               std::array<float, 64> >);
+  static_assert(std::is_same_v<decltype(std::declval<F>().value(std::declval<const Point_3&>())),
+                               std::optional<typename Field::FT> >);
+  static_assert(std::is_same_v<decltype(std::declval<F>().gradient(std::declval<const Point_3&>())),
+                               std::optional<typename Field::Vector_3> >);
+  static_assert(std::is_same_v<decltype(std::declval<F>().hessian(std::declval<const Point_3&>())),
+                               std::optional<Eigen::Matrix3d> >);
   static_assert(
-    std::is_same<decltype(std::declval<F>().visit_cells(CGAL::Bbox_3(), Cell_visitor<Cell_index>())), bool>::value, "");
+    std::is_same_v<decltype(std::declval<F>().visit_cells(CGAL::Bbox_3(), Cell_visitor<Cell_index>())), bool>);
 }
 
 } // namespace
@@ -305,6 +303,29 @@ TEST_CASE("SignedDistanceOracle_3: the field gets its values from the archetype"
   REQUIRE(shell);
   CHECK(*shell.field().value(Point_3(0.95, 0, 0)) == Approx(0).margin(0.01));
   CHECK(*shell.field().value(Point_3(0, 0, -1.2)) == Approx(0.25).margin(0.01));
+}
+
+TEST_CASE("SignedDistanceOracle_3: lambda expressions and functions are called with points of the usual kernel")
+{
+  const Distance_archetype archetype(0.95);
+  const BS::Any_signed_distance_3 expected(archetype), function(distance_to_ball);
+  const auto lambda = [](const Point_3& p) { return float(distance_to_ball(p)); };
+  const auto generic = [](const auto& p) { return distance_to_ball(p); };
+  const BS::Any_signed_distance_3 distances[] = { function, lambda, generic };
+  const std::vector<Point_3> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, -2, 3 } };
+  for(const BS::Any_signed_distance_3& distance : distances) {
+    double along[3];
+    distance(points, along);
+    for(int n = 0; n < 3; ++n) {
+      CHECK(distance(points[n]) == Approx(expected(points[n])).epsilon(1e-6));
+      CHECK(along[n] == distance(points[n]));
+    }
+  }
+  const Shell shell = CGAL::bspline_shell_3(sphere(1), P::resolution(8).signed_distance_oracle(lambda));
+  CHECK(shell);
+  const auto certified = CGAL::certified_bspline_shell_3(
+    sphere(1), P::resolution(8).signed_distance_oracle([](const Point_3& p) { return distance_to_ball(p); }));
+  CHECK(certified);
 }
 
 TEST_CASE("SPDSolver: the archetype and the package's models yield the same shell")
@@ -339,8 +360,6 @@ TEST_CASE("ShellVisitor: the archetype is called in each step")
 
 TEST_CASE("BsplineField_3: bounds, shells and level sets require no more of a field than the archetype has")
 {
-  check_field_interface<BS::Uniform_bspline_field_3<> >();
-  check_field_interface<BS::Uniform_bspline_field_3<CGAL::Simple_cartesian<double> > >();
   check_field_interface<BS::Hierarchical_bspline_field_3<> >();
   check_field_interface<BS::Hierarchical_bspline_field_3<CGAL::Simple_cartesian<double> > >();
   check_field_interface<Field_archetype>();

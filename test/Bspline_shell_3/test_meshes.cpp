@@ -2,7 +2,10 @@
 
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/generators.h>
 
 #include <algorithm>
@@ -54,6 +57,29 @@ Mesh sphere(int subdivisions, double radius, const Point_3& center)
   return mesh;
 }
 
+Mesh sliced_sphere(int slices, int rings, int turns)
+{
+  Mesh mesh;
+  const double pi = std::acos(-1.);
+  const auto north = mesh.add_vertex(Point_3(0, 0, 1)), south = mesh.add_vertex(Point_3(0, 0, -1));
+  std::vector<Mesh::Vertex_index> v;
+  for(int i = 1; i < rings; ++i)
+    for(int j = 0; j < slices; ++j) {
+      const double a = pi * i / rings, b = 2 * pi * turns * j / slices;
+      v.push_back(mesh.add_vertex(Point_3(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a))));
+    }
+  const auto at = [&](int i, int j) { return v[(i - 1) * slices + j % slices]; };
+  for(int j = 0; j < slices; ++j) {
+    mesh.add_face(north, at(1, j), at(1, j + 1));
+    mesh.add_face(south, at(rings - 1, j + 1), at(rings - 1, j));
+    for(int i = 1; i + 1 < rings; ++i) {
+      mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  }
+  return mesh;
+}
+
 Mesh box(const Point_3& a, const Point_3& b, bool triangulated)
 {
   Mesh mesh;
@@ -94,6 +120,23 @@ Mesh pyramid(int sides, double height)
   for(int i = 0; i < sides; ++i) {
     mesh.add_face(v[i], v[(i + 1) % sides], apex);
     mesh.add_face(v[(i + 1) % sides], v[i], middle);
+  }
+  return mesh;
+}
+
+Mesh bipyramid(int corners, int step, double height)
+{
+  Mesh mesh;
+  const double pi = std::acos(-1.);
+  const auto north = mesh.add_vertex(Point_3(0, 0, height)), south = mesh.add_vertex(Point_3(0, 0, -height));
+  std::vector<Mesh::Vertex_index> link;
+  for(int n = 0; n < corners; ++n) {
+    const double angle = 2 * pi * ((n * step) % corners) / corners;
+    link.push_back(mesh.add_vertex(Point_3(std::cos(angle), std::sin(angle), 0)));
+  }
+  for(int n = 0; n < corners; ++n) {
+    mesh.add_face(link[n], link[(n + 1) % corners], north);
+    mesh.add_face(link[(n + 1) % corners], link[n], south);
   }
   return mesh;
 }
@@ -175,4 +218,63 @@ bool is_equal(const Mesh& a, const Mesh& b)
       if(a.point(a.target(h)) != b.point(b.target(i))) return false;
   }
   return true;
+}
+
+Mesh joined(Mesh a, const Mesh& b)
+{
+  CGAL::copy_face_graph(b, a);
+  return a;
+}
+
+Mesh reversed(Mesh mesh)
+{
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
+  return mesh;
+}
+
+Mesh mapped(Mesh mesh, const std::function<Point_3(const Point_3&)>& map)
+{
+  for(auto v : mesh.vertices()) mesh.point(v) = map(mesh.point(v));
+  return mesh;
+}
+
+void remove_facets(Mesh& mesh, const std::function<bool(const Point_3&)>& is_removed)
+{
+  std::vector<Mesh::Face_index> removed;
+  for(auto f : mesh.faces())
+    if(is_removed(centroid(mesh, f))) removed.push_back(f);
+  for(auto f : removed) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  mesh.collect_garbage();
+}
+
+std::array<Point_3, 3> corners(const Mesh& mesh, Mesh::Face_index f)
+{
+  const auto h = mesh.halfedge(f);
+  return { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) };
+}
+
+Point_3 centroid(const Mesh& mesh, Mesh::Face_index f)
+{
+  const std::array<Point_3, 3> t = corners(mesh, f);
+  return CGAL::centroid(t[0], t[1], t[2]);
+}
+
+std::vector<Point_3> link_of(const Mesh& mesh, Mesh::Vertex_index v)
+{
+  std::vector<Point_3> link;
+  for(auto h : CGAL::halfedges_around_target(v, mesh)) link.push_back(mesh.point(mesh.source(h)));
+  std::reverse(link.begin(), link.end());
+  return link;
+}
+
+double distance(const Point_3& p, const Point_3& q)
+{
+  return std::sqrt(CGAL::squared_distance(p, q));
+}
+
+std::vector<double> steps(double first, double last, int number)
+{
+  std::vector<double> result;
+  for(int n = 0; n <= number; ++n) result.push_back(first + (last - first) * n / number);
+  return result;
 }

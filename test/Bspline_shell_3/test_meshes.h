@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,11 @@ Mesh subdivided(const Mesh& mesh);
 // Returns a regular icosahedron, subdivided and projected to the sphere.
 Mesh sphere(int subdivisions, double radius = 1, const Point_3& center = CGAL::ORIGIN);
 
+// Returns a sphere of slices around its axis, in `turns` turns. Triangles are thinner closer to the poles, which are
+// the first two vertices. With two turns, the sphere is covered twice: all facets face outwards, but the fans at the
+// poles wind twice.
+Mesh sliced_sphere(int slices, int rings, int turns = 1);
+
 // Returns an axis-parallel box, whose six sides are quadrangles or pairs of triangles.
 Mesh box(const Point_3& a, const Point_3& b, bool triangulated = true);
 
@@ -33,6 +39,10 @@ Mesh torus(double major, double minor, int around, int across);
 
 // Returns a pyramid over a regular polygon in the unit circle. Its apex is the first vertex.
 Mesh pyramid(int sides, double height);
+
+// Returns a double pyramid over a polygon in which every `step`-th corner of a regular one follows. The fans at its
+// apices, which are the first two vertices, wind `step` times.
+Mesh bipyramid(int corners, int step, double height = 1);
 
 // Returns the boundary of a union of unit cubes, given by their least corners. No two cubes may meet only in an edge or
 // a vertex.
@@ -47,6 +57,31 @@ Mesh dumbbell(double neck_radius, int around = 16);
 
 // Returns whether both meshes have the same points and the same facets, in the same order.
 bool is_equal(const Mesh& a, const Mesh& b);
+
+// Returns a mesh with the components of both meshes, first those of `a`.
+Mesh joined(Mesh a, const Mesh& b);
+
+// Returns the mesh with all facets reversed.
+Mesh reversed(Mesh mesh);
+
+// Returns the mesh with each point moved to its image.
+Mesh mapped(Mesh mesh, const std::function<Point_3(const Point_3&)>& map);
+
+// Removes the triangles whose centroids satisfy the predicate.
+void remove_facets(Mesh& mesh, const std::function<bool(const Point_3&)>& is_removed);
+
+// Returns the corners of a triangle.
+std::array<Point_3, 3> corners(const Mesh& mesh, Mesh::Face_index f);
+
+Point_3 centroid(const Mesh& mesh, Mesh::Face_index f);
+
+// Returns the vertices around a vertex, counterclockwise.
+std::vector<Point_3> link_of(const Mesh& mesh, Mesh::Vertex_index v);
+
+double distance(const Point_3& p, const Point_3& q);
+
+// Returns first, ..., last, in equal steps.
+std::vector<double> steps(double first, double last, int number);
 
 // Returns a rectangle at height z(x, y), facing upwards, cut at the given coordinates.
 template <typename Height>
@@ -63,6 +98,11 @@ Mesh sheet(const std::vector<double>& xs, const std::vector<double>& ys, const H
       mesh.add_face(v[i * n + j], v[(i + 1) * n + j + 1], v[i * n + j + 1]);
     }
   return mesh;
+}
+
+inline Mesh sheet(const std::vector<double>& xs, const std::vector<double>& ys, double z = 0)
+{
+  return sheet(xs, ys, [z](double, double) { return z; });
 }
 
 #endif // TEST_MESHES_H

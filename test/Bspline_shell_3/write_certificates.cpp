@@ -10,7 +10,8 @@
 //                                   the mesh before the truncation: truncated.user.off
 //
 // The exit code is 1 if a file cannot be written, or if a verdict differs from the expected one.
-#include "random_hierarchies.h"
+#include "coefficient_functions.h"
+#include "shell_reports.h"
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
@@ -19,8 +20,6 @@
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <algorithm>
@@ -35,8 +34,7 @@
 #include <vector>
 
 namespace BS = CGAL::Bspline_shells;
-typedef BS::Uniform_bspline_field_3<> Uniform_field;
-typedef BS::Hierarchical_bspline_field_3<> Hierarchical_field;
+typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef std::function<double(const Point_3&)> Function;
 
 const double width = 0.25; // for cells of level 0
@@ -44,32 +42,17 @@ const double width = 0.25; // for cells of level 0
 // Returns the cells in a box around the origin on which the function is small.
 Root_cells cells_near(const Function& f, double distance, const Lattice_point& size)
 {
-  std::vector<std::uint64_t> keys;
-  for(int k = -size[2]; k < size[2]; ++k)
-    for(int j = -size[1]; j < size[1]; ++j)
-      for(int i = -size[0]; i < size[0]; ++i)
-        if(std::abs(f(Point_3((i + 0.5) * width, (j + 0.5) * width, (k + 0.5) * width))) < distance)
-          keys.push_back(BS::Lattice_key::encode(i, j, k));
   const double x = size[0] * width, y = size[1] * width, z = size[2] * width;
-  return Root_cells(BS::Lattice_3(CGAL::Bbox_3(-x, -y, -z, x, y, z), width), keys);
+  return cells_where(BS::Lattice_3(CGAL::Bbox_3(-x, -y, -z, x, y, z), width), { -size[0], -size[1], -size[2] },
+                     { size[0] - 1, size[1] - 1, size[2] - 1 }, [&](int i, int j, int k) {
+                       return std::abs(f(Point_3((i + 0.5) * width, (j + 0.5) * width, (k + 0.5) * width))) < distance;
+                     });
 }
 
 // Sets each coefficient to the value of the function at its point.
-template <typename Field>
 Field spline(Field field, const Function& f)
 {
-  const auto& lattice = field.cells().lattice();
-  Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
-  for(std::size_t n = 0; n < field.number_of_coefficients(); ++n) {
-    const auto point = field.point_of_coefficient(typename Field::Cell_index(n));
-    int level = 0;
-    while(point < field.first_point(level)) ++level; // the finest level comes first
-    const auto& p = field.points(level).point(point - field.first_point(level));
-    const double h = std::ldexp(lattice.spacing(), -level);
-    x[Eigen::Index(n)] = f(
-      Point_3(lattice.origin()[0] + p[0] * h, lattice.origin()[1] + p[1] * h, lattice.origin()[2] + p[2] * h));
-  }
-  field.set_coefficients(x);
+  set_coefficients(field, [&](const Point_3& p, double) { return f(p); });
   return field;
 }
 
@@ -97,23 +80,15 @@ bool write(const std::string& prefix, const Shell& shell, const Certificate& cer
   return good;
 }
 
-template <typename Field, typename Threshold>
+template <typename Threshold>
 bool write(const std::string& prefix, const Field& f, const Threshold& inner, const Threshold& outer, const Mesh& mesh,
            const std::set<BS::Claim>& not_proved = {})
 {
-  BS::Shell_report report;
-  report.status = BS::Shell_status::SUCCESS;
-  report.unit = 2;
   const CGAL::Bspline_shell_3<Field, Threshold> shell(f, inner, outer, std::vector<char>(f.number_of_cells(), 1), {},
-                                                      report);
+                                                      successful_report(2));
   BS::Shell_certificate_3<Field, Threshold> certificate(f, inner, outer);
   certificate.verify(mesh);
   return write(prefix, shell, certificate, not_proved);
-}
-
-double distance(const Point_3& p, const Point_3& center = CGAL::ORIGIN)
-{
-  return std::sqrt(CGAL::squared_distance(p, center));
 }
 
 template <typename Field>
@@ -123,7 +98,7 @@ bool write_varying(
   const Function& outer_bump = [](const Point_3&) { return 0.; })
 {
   typedef BS::Spline_threshold<Field> Threshold;
-  const Field f = spline(cells, [](const Point_3& p) { return distance(p) - 1; });
+  const Field f = spline(cells, [](const Point_3& p) { return distance(p, CGAL::ORIGIN) - 1; });
   return write(prefix, f,
                Threshold(spline(cells, [&](const Point_3& p) { return -0.2 + 0.1 * p.z() + inner_bump(p); })),
                Threshold(spline(cells, [&](const Point_3& p) { return 0.25 - 0.1 * p.x() * p.y() + outer_bump(p); })),
@@ -153,15 +128,13 @@ int main(int argc, char** argv)
   bool good = true;
 
   // around the unit sphere
-  const Function around = [](const Point_3& p) { return distance(p) - 1; };
+  const Function around = [](const Point_3& p) { return distance(p, CGAL::ORIGIN) - 1; };
   const Root_cells roots = cells_near(around, 0.6, { 8, 8, 8 });
-  const Uniform_field equal(roots);
+  const Field equal(roots);
   CGAL::Random random(1);
   good = write_varying(directory + "varying", equal, sphere(1)) && good;
-  good = write_varying(directory + "varying_hierarchy", Hierarchical_field(random_hierarchy(random, roots, 3)),
-                       sphere(1))
-         && good;
-  const Uniform_field more(cells_near(around, 0.7, { 8, 8, 8 })); // the overhang does not reach their border
+  good = write_varying(directory + "varying_hierarchy", Field(random_hierarchy(random, roots, 3)), sphere(1)) && good;
+  const Field more(cells_near(around, 0.7, { 8, 8, 8 })); // the overhang does not reach their border
   for(bool inner : { true, false }) {
     const Point_3 place = inner ? Point_3(0, 0.5, 0.5) : Point_3(0, 0.75, 1);
     const Function bump = [&](const Point_3&p) { return p == place ? inner ? -2. : 3. : 0.; },
@@ -173,10 +146,9 @@ int main(int argc, char** argv)
 
   // Claims that are not proved: two small spheres in the shell of a large one, and a vertex outside the shell.
   {
-    const Uniform_field f = spline(equal, around);
+    const Field f = spline(equal, around);
     const BS::Constant_threshold inner(-0.2), outer(0.2);
-    Mesh small = sphere(1, 0.1, Point_3(1, 0, 0));
-    CGAL::copy_face_graph(sphere(1, 0.1, Point_3(-1, 0, 0)), small);
+    const Mesh small = joined(sphere(1, 0.1, Point_3(1, 0, 0)), sphere(1, 0.1, Point_3(-1, 0, 0)));
     good = write(directory + "small_spheres", f, inner, outer, small,
                  { BS::Claim::TRANSVERSALITY, BS::Claim::ONE_SHEET, BS::Claim::DEGREE_ONE })
            && good;
@@ -195,8 +167,8 @@ int main(int argc, char** argv)
     const Point_3 center(0.03, 0.05, -0.04);
     const Function squared = [&](const Point_3& p) { return sign * (CGAL::squared_distance(p, center) - 1) / 2; };
     Mesh ball = sphere(1, 1, center);
-    if(sign < 0) CGAL::Polygon_mesh_processing::reverse_face_orientations(ball);
-    const Uniform_field f = spline(Uniform_field(cells_near(squared, 0.7, { 8, 8, 8 })), squared);
+    if(sign < 0) ball = reversed(ball);
+    const Field f = spline(Field(cells_near(squared, 0.7, { 8, 8, 8 })), squared);
     const double critical = f.value(center).value(), radius = 0.035;
     const BS::Constant_threshold beside(critical + sign * radius * radius / 2), far(sign * 0.2);
     good = write(directory + (sign > 0 ? "critical_below" : "critical_above"), f, sign > 0 ? beside : far,
@@ -204,7 +176,7 @@ int main(int argc, char** argv)
            && good;
     // If the threshold is closer to the critical value, all claims are proved.
     Mesh aside = sphere(1);
-    if(sign < 0) CGAL::Polygon_mesh_processing::reverse_face_orientations(aside);
+    if(sign < 0) aside = reversed(aside);
     good = write(directory + (sign > 0 ? "ball" : "ball_inwards"), f, BS::Constant_threshold(sign > 0 ? -0.44 : -0.2),
                  BS::Constant_threshold(sign > 0 ? 0.2 : 0.44), aside)
            && good;
@@ -215,11 +187,8 @@ int main(int argc, char** argv)
   const Function f = [&](const Point_3& p) {
     return (std::min)((std::max)(distance(p, place) - 1.25, 0.5 - distance(p, place)), distance(p, beside) - 0.6);
   };
-  Mesh mesh = sphere(1, 0.5, place);
-  CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
-  CGAL::copy_face_graph(sphere(1, 1.25, place), mesh);
-  CGAL::copy_face_graph(sphere(1, 0.6, beside), mesh);
-  const Uniform_field field = spline(Uniform_field(cells_near(f, 0.5, { 12, 8, 8 })), f);
+  const Mesh mesh = joined(joined(reversed(sphere(1, 0.5, place)), sphere(1, 1.25, place)), sphere(1, 0.6, beside));
+  const Field field = spline(Field(cells_near(f, 0.5, { 12, 8, 8 })), f);
   good = write(directory + "components", field, BS::Constant_threshold(-0.1), BS::Constant_threshold(0.15), mesh)
          && good;
 

@@ -229,9 +229,10 @@ void measure(const std::string& name_0, const Mesh& first, const std::string& na
   std::cout << ",\"shell\":{\"certified\":" << (shell.is_certified() ? "true" : "false")
             << ",\"seconds\":" << shell.report().total_seconds();
   if(!shell.is_certified()) {
-    const auto& obstacles = shell.report().obstacles;
-    std::cout << ",\"reason\":" << quoted(shell.message()) << ",\"obstacles\":" << obstacles.size();
-    if(!obstacles.empty()) std::cout << ",\"narrowest\":" << quoted(message(obstacles[0], shell.report().unit));
+    const BS::Shell_report& report = shell.report();
+    std::cout << ",\"reason\":" << quoted(shell.message()) << ",\"obstacles\":" << report.obstacles.size();
+    if(!report.obstacles.empty())
+      std::cout << ",\"narrowest\":" << quoted(message(report.obstacles[0], report.unit, report.refinement));
     std::cout << "}}" << std::endl;
     return;
   }

@@ -415,14 +415,14 @@ Figures measure(const Method& there, const Method& back, const Surface& source, 
   return result;
 }
 
-// `asked` is the requested thickness.
 void print(const std::string& mesh, const std::string& method, const std::string& direction, const Surface& source,
-           const Surface& target, const Shell& shell, double asked, const Figures& f)
+           const Surface& target, const Shell& shell, double requested_thickness, const Figures& f)
 {
   const double points = double(f.points), returned = double(f.points - f.lost);
   std::cout << "{\"mesh\":" << quoted(mesh) << ",\"method\":\"" << method << "\",\"direction\":\"" << direction
             << "\",\"facets\":" << source.mesh.number_of_faces()
-            << ",\"facets_of_target\":" << target.mesh.number_of_faces() << ",\"thickness\":{\"asked\":" << asked
+            << ",\"facets_of_target\":" << target.mesh.number_of_faces()
+            << ",\"thickness\":{\"requested\":" << requested_thickness
             << ",\"largest\":" << shell.report().thickness / shell.report().unit
             << ",\"narrowed_area\":" << shell.report().narrowed_area << "},\"points\":" << f.points
             << ",\"faces_away\":" << double(f.faces_away) / points

@@ -9,7 +9,8 @@ Bernstein coefficients and neighbors. They do not depend on how the coefficients
 Const member functions may be called concurrently. Models are default constructible (a field without cells), copyable
 and movable.
 
-\cgalHasModel `CGAL::Bspline_shells::Uniform_bspline_field_3`
+The package has one model. A second one, with only these members, is in the tests (`test_concepts.cpp`).
+
 \cgalHasModel `CGAL::Bspline_shells::Hierarchical_bspline_field_3`
 
 \sa `CGAL::Bspline_shell_3`
@@ -79,9 +80,9 @@ public:
   template <typename NT>
   std::array<NT, 64> bernstein_coefficients(Cell_index c) const;
 
-  /// returns the cells as cells of lattices, with the same indices: a `Cell_complex_3` or a `Cell_hierarchy_3`. Only
-  /// fits, `extract_level_set()` and the file functions use it. Bounds, predicates, certificate and containment do not.
-  const unspecified_type& cells() const;
+  /// returns the cells as cells of lattices, with the same indices. Only fits, `extract_level_set()` and the file
+  /// functions use it. Bounds, predicates, certificate and containment do not.
+  const CGAL::Bspline_shells::Cell_hierarchy_3& cells() const;
 
   /// @}
 

@@ -12,7 +12,6 @@ Points of all levels have common indices, level by level, and so have free coeff
 
 \cgalRefines `BsplineField_3`
 
-\cgalHasModel `CGAL::Bspline_shells::Uniform_bspline_field_3`
 \cgalHasModel `CGAL::Bspline_shells::Hierarchical_bspline_field_3`
 
 \sa `CGAL::Bspline_shells::Fit_energy`

@@ -23,19 +23,18 @@ public:
   /// \name Types
   /// @{
 
-  /// A point, constructible from three coordinates of type `double`, and movable.
+  /// A point, constructible from three coordinates of type `double`, and movable. A model without this type, such as a
+  /// lambda expression or a function, is called with a `CGAL::Exact_predicates_inexact_constructions_kernel::Point_3`.
   typedef unspecified_type Point_3;
-
-  /// A type that converts to `double`.
-  typedef unspecified_type FT;
 
   /// @}
 
   /// \name Operations
   /// @{
 
-  /// returns the signed distance, in the units of the input coordinates. It must be finite.
-  FT operator()(const Point_3& p) const;
+  /// returns the signed distance, in the units of the input coordinates. It must be finite. The type need not be
+  /// `double`, but must convert to it.
+  double operator()(const Point_3& p) const;
 
   /// @}
 };

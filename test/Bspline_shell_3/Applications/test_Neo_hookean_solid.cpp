@@ -22,6 +22,7 @@ typedef Solid::Vectors Vectors;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 const Lame_parameters material{ 0.7, 1.9 };
+const std::array<Element_order, 2> orders{ Element_order::LINEAR, Element_order::QUADRATIC };
 
 struct Tetrahedra
 {
@@ -65,6 +66,13 @@ Tetrahedra box(std::size_t nx, std::size_t ny, std::size_t nz, double jitter)
   return result;
 }
 
+// Returns solids of linear and of quadratic elements.
+std::vector<Solid> solids(const Tetrahedra& mesh)
+{
+  return { Solid(mesh.points, mesh.cells, Element_order::LINEAR, material),
+           Solid(mesh.points, mesh.cells, Element_order::QUADRATIC, material) };
+}
+
 Vectors random_displacements(const Solid& solid, double size)
 {
   std::mt19937 random(11);
@@ -104,12 +112,10 @@ Solid::Result bend(const Solid& solid, double length, double angle, const Solid:
 
 TEST_CASE("Neo-Hookean solid: an affine motion of the boundary extends to the interior")
 {
-  const Tetrahedra mesh = box(3, 3, 3, 0.2);
   Eigen::Matrix3d A;
   A << 1.3, 0.2, -0.1, 0.05, 0.8, 0.3, -0.2, 0.1, 1.1;
   const Vector b(0.3, -2, 1);
-  for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC }) {
-    const Solid solid(mesh.points, mesh.cells, order, material);
+  for(const Solid& solid : solids(box(3, 3, 3, 0.2))) {
     REQUIRE(solid.is_valid());
     const auto boundary = hold(solid, [](const Vector& p) { return p.minCoeff() == 0 || p.maxCoeff() == 3; });
     Solid::Options options;
@@ -146,10 +152,8 @@ TEST_CASE("Neo-Hookean solid: an affine motion of the boundary extends to the in
 
 TEST_CASE("Neo-Hookean solid: a stretched or compressed bar has no lateral stress")
 {
-  const Tetrahedra mesh = box(4, 2, 2, 0.2);
-  for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC })
+  for(const Solid& solid : solids(box(4, 2, 2, 0.2)))
     for(double stretch : { 0.5, 1.1, 2.5 }) {
-      const Solid solid(mesh.points, mesh.cells, order, material);
       std::vector<Solid::Condition> conditions; // symmetry on three sides; the other end moves along the bar
       for(std::size_t n = 0; n < solid.number_of_nodes(); ++n) {
         const Vector& p = solid.node(n);
@@ -181,10 +185,8 @@ TEST_CASE("Neo-Hookean solid: a stretched or compressed bar has no lateral stres
 
 TEST_CASE("Neo-Hookean solid: gradient and Hessian agree with finite differences of the energy")
 {
-  const Tetrahedra mesh = box(2, 2, 2, 0.2);
   const double h = std::cbrt(epsilon); // the optimal order for central differences
-  for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC }) {
-    const Solid solid(mesh.points, mesh.cells, order, material);
+  for(const Solid& solid : solids(box(2, 2, 2, 0.2))) {
     const Vectors u = random_displacements(solid, 0.08), v = random_displacements(solid, 1).rowwise().reverse();
     const auto state = solid.state(u);
     REQUIRE(state.least_jacobian > 0);
@@ -209,9 +211,7 @@ TEST_CASE("Neo-Hookean solid: gradient and Hessian agree with finite differences
 
 TEST_CASE("Neo-Hookean solid: Newton's method converges quadratically near the solution")
 {
-  const Tetrahedra mesh = box(4, 1, 1, 0);
-  for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC }) {
-    const Solid solid(mesh.points, mesh.cells, order, material);
+  for(const Solid& solid : solids(box(4, 1, 1, 0))) {
     Solid::Options options;
     options.tolerance = 1e-13;
     const auto result = bend(solid, 4, 0.5, options);
@@ -236,10 +236,8 @@ TEST_CASE("Neo-Hookean solid: Newton's method converges quadratically near the s
 
 TEST_CASE("Neo-Hookean solid: a rotation preserves the energy, and rotates forces and solutions")
 {
-  const Tetrahedra mesh = box(4, 1, 1, 0);
   const Eigen::Matrix3d R = Eigen::AngleAxisd(2.3, Vector(1, 2, -0.5).normalized()).toRotationMatrix();
-  for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC }) {
-    const Solid solid(mesh.points, mesh.cells, order, material);
+  for(const Solid& solid : solids(box(4, 1, 1, 0))) {
     Vectors nodes(3, solid.number_of_nodes());
     for(std::size_t n = 0; n < solid.number_of_nodes(); ++n) nodes.col(n) = solid.node(n);
     const Vectors u = random_displacements(solid, 0.05), turned = R * (nodes + u) - nodes;
@@ -265,9 +263,7 @@ TEST_CASE("Neo-Hookean solid: a rotation preserves the energy, and rotates force
 
 TEST_CASE("Neo-Hookean solid: large motions take several load steps, and no tetrahedron is inverted on the way")
 {
-  const Tetrahedra mesh = box(4, 1, 1, 0);
-  for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC }) {
-    const Solid solid(mesh.points, mesh.cells, order, material);
+  for(const Solid& solid : solids(box(4, 1, 1, 0))) {
     const auto result = bend(solid, 4, 3);
     REQUIRE(result);
     CHECK(result.load_steps > 1);
@@ -278,9 +274,7 @@ TEST_CASE("Neo-Hookean solid: large motions take several load steps, and no tetr
 
 TEST_CASE("Neo-Hookean solid: a solid whose nodes are all constrained is deformed as prescribed")
 {
-  const Tetrahedra mesh = box(1, 1, 1, 0);
-  for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC }) {
-    const Solid solid(mesh.points, mesh.cells, order, material);
+  for(const Solid& solid : solids(box(1, 1, 1, 0))) {
     const auto result = solid.solve(hold(solid, [](const Vector&) { return true; }),
                                     [&](std::size_t n, double t) -> Vector { return -0.5 * t * solid.node(n); });
     REQUIRE(result);
@@ -293,7 +287,7 @@ TEST_CASE("Neo-Hookean solid: problems without a solution are rejected with a st
   const Tetrahedra mesh = box(2, 2, 2, 0.2);
   const auto nothing = [](std::size_t, double) -> Vector { return Vector::Zero(); };
   const auto ends = [](const Vector& p) { return p.x() == 0; };
-  for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC }) {
+  for(Element_order order : orders) {
     const Solid solid(mesh.points, mesh.cells, order, material);
     Solid::Options options;
     options.start = Vectors::Zero(3, solid.number_of_nodes());
@@ -312,9 +306,9 @@ TEST_CASE("Neo-Hookean solid: problems without a solution are rejected with a st
     CHECK(crossed.least_jacobian > 0);
     CHECK(solid.state(crossed.displacements).least_jacobian == crossed.least_jacobian);
 
-    Solid::Options impatient;
-    impatient.iterations = 1;
-    CHECK(bend(Solid(box(4, 1, 1, 0).points, box(4, 1, 1, 0).cells, order, material), 4, 0.5, impatient).status
+    Solid::Options limited;
+    limited.iterations = 1;
+    CHECK(bend(Solid(box(4, 1, 1, 0).points, box(4, 1, 1, 0).cells, order, material), 4, 0.5, limited).status
           == Solid_status::ITERATION_LIMIT_EXCEEDED);
 
     Tetrahedra wrong = mesh;
@@ -330,7 +324,7 @@ TEST_CASE("Neo-Hookean solid: problems without a solution are rejected with a st
 TEST_CASE("Neo-Hookean solid: displacements on facets are interpolated by the shape functions")
 {
   const Tetrahedra mesh = box(1, 1, 1, 0);
-  for(Element_order order : { Element_order::LINEAR, Element_order::QUADRATIC }) {
+  for(Element_order order : orders) {
     const Solid solid(mesh.points, mesh.cells, order, material);
     const auto function = [&](const Vector& p) -> Vector {
       return order == Element_order::LINEAR ? Vector(1 + p.x(), p.y() - 2 * p.z(), 3)

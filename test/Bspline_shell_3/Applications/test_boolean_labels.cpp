@@ -26,12 +26,6 @@ namespace BS = CGAL::Bspline_shells;
 
 constexpr std::array<Boolean, 3> operations = { Boolean::UNION, Boolean::INTERSECTION, Boolean::DIFFERENCE };
 
-std::array<Point_3, 3> corners(const Mesh& mesh, Mesh::Face_index f)
-{
-  const auto h = mesh.halfedge(f);
-  return { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) };
-}
-
 // Returns the number of the side of an axis-parallel box that contains a facet: the axis, plus three for the upper
 // side.
 int side(const std::array<Point_3, 3>& t, const Point_3& low, const Point_3& high)

@@ -6,6 +6,8 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <functional>
+#include <string>
 #include <utility>
 
 namespace test_tetrahedralize {
@@ -26,46 +28,32 @@ TEST_CASE("Tetrahedra conform to a mesh if and only if their boundary facets are
     add((a + 1) % 3, a, 4);
   }
   REQUIRE(CGAL::is_closed(mesh));
-  CHECK(conforms(tetrahedra, mesh));
-
-  SECTION("interior points and tetrahedra are allowed")
-  {
-    tetrahedra.points.emplace_back(0.2, 0.3, 0.5);
-    tetrahedra.cells = { { 0, 2, 1, 4 }, { 0, 1, 2, 5 }, { 0, 1, 5, 3 }, { 1, 2, 5, 3 }, { 2, 0, 5, 3 } };
-    CHECK(conforms(tetrahedra, mesh));
-  }
-  SECTION("a missing tetrahedron is detected")
-  {
-    tetrahedra.cells.pop_back();
-    CHECK_FALSE(conforms(tetrahedra, mesh));
-  }
-  SECTION("a duplicate tetrahedron is detected")
-  {
-    tetrahedra.cells.push_back(tetrahedra.cells[0]);
-    CHECK_FALSE(conforms(tetrahedra, mesh));
-  }
-  SECTION("a tetrahedron outside the mesh is detected")
-  {
-    tetrahedra.points.emplace_back(2, 2, 2);
-    tetrahedra.cells.push_back({ 1, 2, 3, 5 });
-    CHECK_FALSE(conforms(tetrahedra, mesh));
-  }
-  SECTION("a subdivided facet of the mesh is detected")
-  {
-    tetrahedra.points.emplace_back(0.5, 0, 0);
-    tetrahedra.cells = { { 0, 5, 2, 3 }, { 5, 1, 2, 3 }, { 0, 2, 1, 4 } };
-    CHECK_FALSE(conforms(tetrahedra, mesh));
-  }
-  SECTION("a point moved by one ulp is detected")
-  {
-    tetrahedra.points[3] = Tetrahedra::Point(0.2, 0.3, std::nextafter(1., 2.));
-    CHECK_FALSE(conforms(tetrahedra, mesh));
-  }
-  SECTION("an inverted tetrahedron is detected and repaired")
-  {
-    std::swap(tetrahedra.cells[1][0], tetrahedra.cells[1][1]);
-    CHECK_FALSE(conforms(tetrahedra, mesh));
-    CHECK(checked(tetrahedra, mesh));
-  }
+  const auto check = [&](const std::string& change, bool is_conforming, const std::function<void(Tetrahedra&)>& apply) {
+    INFO(change);
+    Tetrahedra changed = tetrahedra;
+    apply(changed);
+    CHECK(conforms(changed, mesh) == is_conforming);
+    return changed;
+  };
+  check("none", true, [](Tetrahedra&) {});
+  check("interior points and tetrahedra", true, [](Tetrahedra& t) {
+    t.points.emplace_back(0.2, 0.3, 0.5);
+    t.cells = { { 0, 2, 1, 4 }, { 0, 1, 2, 5 }, { 0, 1, 5, 3 }, { 1, 2, 5, 3 }, { 2, 0, 5, 3 } };
+  });
+  check("a missing tetrahedron", false, [](Tetrahedra& t) { t.cells.pop_back(); });
+  check("a duplicate tetrahedron", false, [](Tetrahedra& t) { t.cells.push_back(t.cells[0]); });
+  check("a tetrahedron outside the mesh", false, [](Tetrahedra& t) {
+    t.points.emplace_back(2, 2, 2);
+    t.cells.push_back({ 1, 2, 3, 5 });
+  });
+  check("a subdivided facet of the mesh", false, [](Tetrahedra& t) {
+    t.points.emplace_back(0.5, 0, 0);
+    t.cells = { { 0, 5, 2, 3 }, { 5, 1, 2, 3 }, { 0, 2, 1, 4 } };
+  });
+  check("a point moved by one ulp", false,
+        [](Tetrahedra& t) { t.points[3] = Tetrahedra::Point(0.2, 0.3, std::nextafter(1., 2.)); });
+  const Tetrahedra inverted = check("an inverted tetrahedron", false,
+                                    [](Tetrahedra& t) { std::swap(t.cells[1][0], t.cells[1][1]); });
+  CHECK(checked(inverted, mesh)); // repairs it
 }
 } // namespace test_tetrahedralize

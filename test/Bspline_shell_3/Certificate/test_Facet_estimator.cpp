@@ -19,16 +19,16 @@ namespace {
 namespace BS = CGAL::Bspline_shells;
 using BS::internal::Facet_estimate;
 using BS::Placement_verdict;
-typedef BS::Second_order_bounds_3<Uniform_field> Bounds;
+typedef BS::Second_order_bounds_3<Field> Bounds;
 typedef BS::internal::Facet_estimator<Bounds> Estimator;
-typedef BS::Shell_facet_oracle_3<Uniform_field> Oracle;
+typedef BS::Shell_facet_oracle_3<Field> Oracle;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
 typedef std::array<Point_3, 3> Triangle;
 
 constexpr double pi = 3.141592653589793;
 
 // Returns the shell between spheres of radii 0.7 and 0.8.
-CGAL::Bspline_shell_3<Uniform_field> ball_shell()
+CGAL::Bspline_shell_3<Field> ball_shell()
 {
   return shell_of(uniform_field(squared_distance), 0.49, 0.64);
 }

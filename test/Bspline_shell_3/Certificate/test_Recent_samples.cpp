@@ -15,7 +15,7 @@ namespace BS = CGAL::Bspline_shells;
 
 TEST_CASE("Recent samples: each vertex gets its own sample, whichever vertices were requested before")
 {
-  typedef BS::Second_order_bounds_3<Uniform_field> Bounds;
+  typedef BS::Second_order_bounds_3<Field> Bounds;
   typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
   const auto field = uniform_field(squared_distance);
   const Bounds bounds(field, BS::Constant_threshold(0.36), BS::Constant_threshold(0.64));

@@ -1,5 +1,5 @@
-// Field_predicates_3.h, Shell_cover_3.h, Shell_certificate_3.h on cells of different sizes: results are as on equal
-// cells. Results that are reused from a shell with a known cover.
+// Field_predicates_3.h, Shell_cover_3.h, Shell_certificate_3.h on cells of different sizes. Results that are reused
+// from a shell with a known cover.
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
@@ -251,6 +251,9 @@ TEST_CASE("Predicates on a hierarchy: the comparison of a point with a level is 
       CHECK(predicates.compare(p, level) == CGAL::compare(value, Rational(level)));
   }
   CHECK_FALSE(predicates.compare(Point_3(5, 0, 0), 0));
+  Field plane = field;
+  set(plane, [](double x, double, double, int) { return x; });
+  CHECK(Predicates(plane).compare(Point_3(0.5, 1, 2), 0.5) == CGAL::EQUAL);
 }
 
 TEST_CASE("Predicates on a hierarchy: answers agree with exact values on facets that cross leaves of all sizes")
@@ -274,6 +277,7 @@ TEST_CASE("Predicates on a hierarchy: answers agree with exact values on facets 
                      point(n % 3 == 1 ? 0.3 : 3.9, n % 3 == 1 ? deep : Point_3(0, 0, 0)) };
       if(n % 4 == 3)
         for(Point_3& p : t) p = Point_3(p.x(), p.y(), 0.5); // in a plane between leaves of different sizes
+      if(n % 5 == 4) t[2] = t[0] + 0.3 / 8 * (t[2] - t[0]); // needle-like
       Rational least(1000), most(-1000);
       constexpr int parts = 8;
       for(int i = 0; i <= parts; ++i)
@@ -340,7 +344,10 @@ TEST_CASE("Predicates on a hierarchy: slopes are per user unit, whatever the siz
   const auto f = [](const Point_3& x) { return 0.5 * x.x() - x.y() + 2 * x.z(); };
   const double least = (std::min)({ f(p), f(q), f(r) }), most = (std::max)({ f(p), f(q), f(r) });
   CHECK(predicates.values_within(Triangle{ p, q, r }, { least - 1e-11, most + 1e-11 }) == Verdict::PROVED);
-  CHECK(predicates.values_within(Triangle{ p, q, r }, { least - 1, most - 1e-11 }) == Verdict::REFUTED);
+  CHECK(predicates.values_within(Triangle{ p, q, r }, { least + 1e-11, most + 1 }, &witness) == Verdict::REFUTED);
+  CHECK(witness.value.max < least + 1e-11);
+  CHECK(predicates.values_within(Triangle{ p, q, r }, { least - 1, most - 1e-11 }, &witness) == Verdict::REFUTED);
+  CHECK(witness.value.min > most - 1e-11);
 }
 
 TEST_CASE("Predicates on a hierarchy: the cost of a facet depends only on the leaves that it meets")
@@ -466,16 +473,21 @@ TEST_CASE("Certificate on a hierarchy: results do not depend on a power-of-two s
     CHECK(certificate.least_angle() == reference.least_angle());
     CHECK(certificate.least_gradient() == reference.least_gradient());
   }
-  for(int mode : { FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO }) {
+  const auto check_in_mode = [&](int mode, auto concurrency_tag) {
     REQUIRE(std::fesetround(mode) == 0);
     Certificate certificate(field, Constant(0.28), Constant(1.2));
-    certificate.verify<CGAL::Parallel_if_available_tag>(mesh);
+    certificate.verify<decltype(concurrency_tag)>(mesh);
     const int after = std::fegetround();
     std::fesetround(FE_TONEAREST);
     CHECK(after == mode);
     CHECK(verdicts(certificate) == verdicts(reference));
     CHECK(certificate.statistics().cover_boxes == reference.statistics().cover_boxes);
     CHECK(certificate.least_gradient() == reference.least_gradient());
+    CHECK(certificate.least_angle() == reference.least_angle());
+  };
+  for(int mode : { FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO }) {
+    check_in_mode(mode, CGAL::Sequential_tag());
+    check_in_mode(mode, CGAL::Parallel_if_available_tag()); // other threads have their own rounding modes
   }
 }
 

@@ -1,5 +1,7 @@
 // Shell_containment_3.h: the call operators of Polyhedral_envelope, with rigorous results.
+#include "coefficient_functions.h"
 #include "polynomial_fields.h"
+#include "shell_reports.h"
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
@@ -80,13 +82,12 @@ TEST_CASE("Containment: a segment, triangle, mesh or soup is contained only if a
   std::size_t contained = 0, not_contained = 0;
   for(int n = 0; n < 300; ++n) {
     const auto f = *(mesh.faces().begin() + random.get_int(0, int(mesh.number_of_faces())));
-    const auto h = mesh.halfedge(f);
     const double size = std::ldexp(0.06, -(n % 10));
     const auto shifted = [&](const Point_3& x) {
       return x + size * Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1));
     };
-    const Point_3 a = shifted(mesh.point(mesh.source(h))), b = shifted(mesh.point(mesh.target(h))),
-                  c = shifted(mesh.point(mesh.target(mesh.next(h))));
+    const std::array<Point_3, 3> t = corners(mesh, f);
+    const Point_3 a = shifted(t[0]), b = shifted(t[1]), c = shifted(t[2]);
     bool in = true;
     for(int i = 0; i <= 10; ++i)
       for(int j = 0; i + j <= 10; ++j)
@@ -106,36 +107,19 @@ TEST_CASE("Containment: all points of a contained segment are contained, even if
   // The field is close to 4 (|x| - 0.8) (0.95 - |x|). The shell is at the inner sphere, but its leaves also contain
   // parts of the component at the outer one.
   namespace BS = CGAL::Bspline_shells;
-  typedef BS::Uniform_bspline_field_3<> Field;
-  constexpr int half = 12;
-  constexpr double width = 1. / 8, h = half * width, outer = 0.95;
-  std::vector<std::uint64_t> keys;
-  for(int k = -half; k < half; ++k)
-    for(int j = -half; j < half; ++j)
-      for(int i = -half; i < half; ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
-  Field field(BS::Cell_complex_3(BS::Lattice_3(CGAL::Bbox_3(-h, -h, -h, h, h, h), width), keys));
-  Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
-  for(std::size_t n = 0; n < field.number_of_coefficients(); ++n) {
-    const auto& p = field.functions().point(Field::Cell_index(n));
-    const double r = width * std::sqrt(double(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]));
-    x[Eigen::Index(n)] = 4 * (r - 0.8) * (outer - r) + 0.025;
-  }
-  field.set_coefficients(x);
+  typedef BS::Hierarchical_bspline_field_3<> Field;
+  constexpr double outer = 0.95;
+  const Field field = radial_spline<Field>(12, 1. / 8, [](double r) { return 4 * (r - 0.8) * (outer - r) + 0.025; });
   const BS::Level_range levels{ -0.02, 0.008 };
   const Mesh mesh = sphere(3, 0.797);
   BS::Shell_certificate_3<Field> certificate(field, BS::Constant_threshold(levels.min),
                                              BS::Constant_threshold(levels.max));
   REQUIRE(certificate.verify(mesh));
-  std::vector<char> cells(field.number_of_cells(), 0);
-  for(const BS::Cover_box& box : certificate.cover()->boxes())
-    if(box.component != BS::Cover_box::no_component) cells[box.cell] = 1;
-  BS::Shell_report report;
-  report.status = BS::Shell_status::SUCCESS;
-  report.unit = 2;
-  report.certificate = certificate.report();
-  const CGAL::Bspline_shell_3<Field> without_cover(field, levels, cells, {}, report);
+  const std::vector<BS::Cover_box>& boxes = certificate.cover()->boxes();
+  const CGAL::Bspline_shell_3<Field> without_cover(field, levels, cells_of_cover(boxes, field.number_of_cells()), {},
+                                                   successful_report(2, certificate.report()));
   CGAL::Bspline_shell_3<Field> with_cover(without_cover);
-  with_cover.set_proved_cover(certificate.cover()->boxes());
+  with_cover.set_proved_cover(boxes);
 
   const auto at = [&](double theta, double phi) {
     return Point_3(outer * std::cos(theta) * std::cos(phi), outer * std::sin(theta) * std::cos(phi),
@@ -166,15 +150,14 @@ TEST_CASE("Containment: points on a level are contained, but segments and triang
   // The field has no critical point.
   auto report = without_cover.report();
   report.certificate.verdicts[std::size_t(BS::Claim::GRADIENT)] = BS::Verdict::PROVED;
-  CGAL::Bspline_shell_3<Uniform_field> with_cover(without_cover.field(),
-                                                  { without_cover.inner_level(), without_cover.outer_level() },
-                                                  without_cover.shell_cells(), {}, report);
-  BS::Shell_cover_3<Uniform_field> cover(with_cover.field(), with_cover.inner_threshold(),
-                                         with_cover.outer_threshold());
+  CGAL::Bspline_shell_3<Field> with_cover(without_cover.field(),
+                                          { without_cover.inner_level(), without_cover.outer_level() },
+                                          without_cover.shell_cells(), {}, report);
+  BS::Shell_cover_3<Field> cover(with_cover.field(), with_cover.inner_threshold(), with_cover.outer_threshold());
   REQUIRE(cover.flood<CGAL::Sequential_tag>(Point_3(0.1, 0.1, 0.3), 0) == 0);
   with_cover.set_proved_cover(cover.boxes());
   for(const auto* shell : { &without_cover, &std::as_const(with_cover) }) {
-    const BS::Shell_containment_3<Uniform_field> contains(*shell);
+    const BS::Shell_containment_3<Field> contains(*shell);
     for(double x : { -0.7, 0., 0.1, 0.5 }) {
       CHECK(contains(Point_3(x, 0.2, 0.25)));
       CHECK(contains(Point_3(x, 0.2, 0.5)));

@@ -7,7 +7,6 @@
 #include <CGAL/Bspline_shell_3/Certificate/Shell_cover_3.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/refined_coefficients.h>
 #include <CGAL/Bspline_shell_3/Spline/critical_values.h>
 

@@ -1,6 +1,7 @@
 // Shell_facet_oracle_3.h: facets that fail only in their inside are rejected, and cached results apply to the same
 // facets only. (Oracles in edits: test_Shell_filter.cpp.)
 #include "polynomial_fields.h"
+#include "shell_reports.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
 
@@ -19,7 +20,7 @@ namespace {
 
 namespace BS = CGAL::Bspline_shells;
 using BS::Placement_verdict;
-typedef BS::Shell_facet_oracle_3<Uniform_field> Oracle;
+typedef BS::Shell_facet_oracle_3<Field> Oracle;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
 
 constexpr double pi = 3.141592653589793;
@@ -37,7 +38,7 @@ std::vector<Point_3> band(std::initializer_list<double> degrees)
 const Point_3 pole(0, 0, 0.8);
 
 // Returns the shell between spheres of radii 0.6 and 0.81.
-CGAL::Bspline_shell_3<Uniform_field> ball_shell()
+CGAL::Bspline_shell_3<Field> ball_shell()
 {
   return shell_of(uniform_field(squared_distance), 0.36, 0.6561);
 }
@@ -46,7 +47,7 @@ CGAL::Bspline_shell_3<Uniform_field> ball_shell()
 
 TEST_CASE("Facet oracle: without a shell, all facets are rejected")
 {
-  const CGAL::Bspline_shell_3<Uniform_field> none;
+  const CGAL::Bspline_shell_3<Field> none;
   const Oracle oracle(none);
   const std::vector<Point_3> link = band({ 0, 120, 240 });
   Oracle::Memory memory;
@@ -156,7 +157,7 @@ TEST_CASE("Facet oracle: the cache does not change which fans are accepted")
 TEST_CASE("Facet oracle: a facet that barely leaves the shell in its interior is rejected")
 {
   // -(x^2 + y^2) in the plane z = 0.1
-  const Uniform_field field = uniform_field(
+  const Field field = uniform_field(
     { { -1, { 2, 0, 0 } }, { -1, { 0, 2, 0 } }, { 1, { 0, 0, 1 } }, { -0.1, { 0, 0, 0 } } });
   const std::vector<Point_3> link = { Point_3(-0.21, -0.17, 0.1), Point_3(0.43, -0.13, 0.1), Point_3(0.37, 0.41, 0.1),
                                       Point_3(-0.19, 0.37, 0.1) };
@@ -172,7 +173,7 @@ TEST_CASE("Facet oracle: a facet that barely leaves the shell in its interior is
 
 TEST_CASE("Facet oracle: a single facet that barely leaves the shell, or is parallel to the gradient, is rejected")
 {
-  const Uniform_field field = uniform_field({ { 1, { 0, 0, 1 } } });
+  const Field field = uniform_field({ { 1, { 0, 0, 1 } } });
   const Point_3 p(0.1, 0.1, 0.25), q(0.3, 0.1, 0.25), r(0.1, 0.3, 0.25), up(0.1, 0.1, 0.35);
   const auto inside = shell_of(field, -0.5, 0.25 + 1e-12), outside = shell_of(field, -0.5, 0.25 - 1e-15),
              wide = shell_of(field, -0.5, 0.5);
@@ -211,20 +212,24 @@ TEST_CASE("Facet oracle: a fan that winds twice is rejected, even if squares of 
 {
   for(double scale : { 1., 1e-170, 1e160 }) {
     CAPTURE(scale);
-    const Uniform_field field = uniform_field(
-      { { scale, { 2, 0, 0 } }, { scale, { 0, 2, 0 } }, { scale, { 0, 0, 2 } } });
+    const Field field = uniform_field({ { scale, { 2, 0, 0 } }, { scale, { 0, 2, 0 } }, { scale, { 0, 0, 2 } } });
     const auto shell = shell_of(field, 0.36 * scale, 0.6561 * scale);
     const Oracle oracle(shell);
-    const auto fan = [&](std::initializer_list<int> order) {
-      std::vector<Point_3> link;
-      for(int k : order) link.emplace_back(0.1 * std::cos(2 * pi * k / 5), 0.1 * std::sin(2 * pi * k / 5), 0.68);
-      Oracle::Memory memory;
-      return oracle(Point_3(0, 0, 0.7), link, memory);
+    const Point_3 apex(0, 0, 0.7);
+    const auto link = [](std::initializer_list<int> order) {
+      std::vector<Point_3> points;
+      for(int k : order) points.emplace_back(0.1 * std::cos(2 * pi * k / 5), 0.1 * std::sin(2 * pi * k / 5), 0.68);
+      return points;
     };
-    CHECK(fan({ 0, 2, 4, 1, 3 }) != Placement_verdict::ACCEPTED);
+    const std::vector<Point_3> once = link({ 0, 1, 2, 3, 4 }), twice = link({ 0, 2, 4, 1, 3 });
+    Oracle::Memory memory;
+    CHECK(oracle(apex, twice, memory) != Placement_verdict::ACCEPTED);
     if(scale == 1) {
-      CHECK(fan({ 0, 2, 4, 1, 3 }) == Placement_verdict::WINDS_TWICE);
-      CHECK(fan({ 0, 1, 2, 3, 4 }) == Placement_verdict::ACCEPTED);
+      CHECK(oracle(apex, twice, memory) == Placement_verdict::WINDS_TWICE);
+      CHECK(oracle(apex, once, memory) == Placement_verdict::ACCEPTED);
+      CHECK(oracle.winding_number(apex, twice) == 2);
+      for(std::size_t n = 0; n < 5; ++n) // each facet alone is accepted
+        CHECK(oracle(apex, twice[n], twice[(n + 1) % 5]) == Placement_verdict::ACCEPTED);
     }
   }
 }
@@ -266,13 +271,10 @@ TEST_CASE("Facet oracle: a fan that winds twice is rejected where rounding hides
 TEST_CASE("Facet oracle: facets between the thresholds, but outside the cells of the shell, are rejected")
 {
   // The shell consists of the cells of a layer with positive x.
-  const Uniform_field field = uniform_field({ { 1, { 0, 0, 1 } } });
+  const Field field = uniform_field({ { 1, { 0, 0, 1 } } });
   std::vector<char> cells(field.number_of_cells());
-  for(Uniform_field::Cell_index c = 0; c < field.number_of_cells(); ++c) cells[c] = field.cell(c).corner()[0] >= 0;
-  BS::Shell_report report;
-  report.status = BS::Shell_status::SUCCESS;
-  report.unit = 2;
-  const CGAL::Bspline_shell_3<Uniform_field> shell(field, BS::Level_range{ -0.5, 0.5 }, cells, {}, report);
+  for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c) cells[c] = field.cell(c).corner()[0] >= 0;
+  const CGAL::Bspline_shell_3<Field> shell(field, BS::Level_range{ -0.5, 0.5 }, cells, {}, successful_report(2));
   const Oracle oracle(shell);
   for(double x : { 0.4, 0., -0.4 }) {
     CAPTURE(x);

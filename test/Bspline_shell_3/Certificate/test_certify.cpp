@@ -5,9 +5,7 @@
 #include <CGAL/Bspline_shell_3/Certificate/Shell_containment_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 
-#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <algorithm>
 #include <array>
@@ -32,15 +30,9 @@ Mesh far_sphere(double radius = 1)
 {
   return sphere(2, radius, Point_3(3, 0, 0));
 }
-Mesh both(const Mesh& first, const Mesh& second)
-{
-  Mesh mesh = first;
-  CGAL::copy_face_graph(second, mesh);
-  return mesh;
-}
 const Mesh& two_spheres()
 {
-  static const Mesh mesh = both(near_sphere(), far_sphere());
+  static const Mesh mesh = joined(near_sphere(), far_sphere());
   return mesh;
 }
 const Varying_shell& two_shells()
@@ -122,7 +114,7 @@ TEST_CASE("certify: a shell read from a file gets its previous certificate, cove
 TEST_CASE("certify: another mesh in the same components certifies the shell as well")
 {
   Varying_shell shell = read_two_shells();
-  const Mesh moved = both(far_sphere(0.995), near_sphere(1.01));
+  const Mesh moved = joined(far_sphere(0.995), near_sphere(1.01));
   REQUIRE(BS::certify(shell, moved));
   REQUIRE(shell.is_certified());
   CHECK(Certificate(shell).verify(two_spheres()));
@@ -185,39 +177,32 @@ TEST_CASE("certify: paths of a file that do not lead through the shell are ignor
   };
   check([](Lines& paths) { paths.clear(); });
   // The paths are reversed, shortened at either end, displaced, of length zero, or outside the domain.
-  const auto replace = [](Lines& paths, const std::function<std::string(std::array<double, 6>)>& by) {
-    for(Lines::value_type& line : paths) {
-      std::size_t component;
-      std::array<double, 6> x;
-      std::istringstream in(line);
-      in >> component;
-      for(double& c : x) in >> c;
-      REQUIRE(in);
-      line = std::to_string(component) + by(x);
-    }
-  };
-  const auto text = [](const std::array<double, 6>& x) {
-    std::ostringstream out;
-    out.precision(17);
-    for(double c : x) out << " " << c;
-    return out.str();
-  };
-  check([&](Lines& paths) { replace(paths, [&](auto x) { return text({ x[3], x[4], x[5], x[0], x[1], x[2] }); }); });
-  check([&](Lines& paths) {
-    replace(paths, [&](auto x) {
-      return text({ x[0], x[1], x[2], (x[0] + x[3]) / 2, (x[1] + x[4]) / 2, (x[2] + x[5]) / 2 });
+  typedef std::array<double, 6> Path;
+  const auto check_replaced = [&](const std::function<Path(const Path&)>& by) {
+    check([&](Lines& paths) {
+      for(std::string& line : paths) {
+        std::size_t component;
+        Path x;
+        std::istringstream in(line);
+        in >> component;
+        for(double& c : x) in >> c;
+        REQUIRE(in);
+        std::ostringstream out;
+        out.precision(17);
+        out << component;
+        for(double c : by(x)) out << " " << c;
+        line = out.str();
+      }
     });
-  });
-  check([&](Lines& paths) {
-    replace(paths, [&](auto x) {
-      return text({ (x[0] + x[3]) / 2, (x[1] + x[4]) / 2, (x[2] + x[5]) / 2, x[3], x[4], x[5] });
-    });
-  });
-  check([&](Lines& paths) {
-    replace(paths, [&](auto x) { return text({ x[0], x[1] + 40, x[2], x[3], x[4] + 40, x[5] }); });
-  });
-  check([&](Lines& paths) { replace(paths, [&](auto x) { return text({ x[0], x[1], x[2], x[0], x[1], x[2] }); }); });
-  check([&](Lines& paths) { replace(paths, [&](auto) { return text({ 1e300, 0, 0, -1e300, 0, 0 }); }); });
+  };
+  check_replaced([](const Path& x) { return Path{ x[3], x[4], x[5], x[0], x[1], x[2] }; });
+  check_replaced(
+    [](const Path& x) { return Path{ x[0], x[1], x[2], (x[0] + x[3]) / 2, (x[1] + x[4]) / 2, (x[2] + x[5]) / 2 }; });
+  check_replaced(
+    [](const Path& x) { return Path{ (x[0] + x[3]) / 2, (x[1] + x[4]) / 2, (x[2] + x[5]) / 2, x[3], x[4], x[5] }; });
+  check_replaced([](const Path& x) { return Path{ x[0], x[1] + 40, x[2], x[3], x[4] + 40, x[5] }; });
+  check_replaced([](const Path& x) { return Path{ x[0], x[1], x[2], x[0], x[1], x[2] }; });
+  check_replaced([](const Path&) { return Path{ 1e300, 0, 0, -1e300, 0, 0 }; });
 }
 
 TEST_CASE("certify: a file with duplicate or missing component numbers certifies no map between components")
@@ -252,8 +237,7 @@ TEST_CASE("certify: a uniform shell is certified by its own mesh, but not by an 
   CGAL::Euler::remove_face(open.halfedge(*open.faces().begin()), open);
   CHECK(BS::certify(shell, open).status() == BS::Shell_status::OPEN_MESH);
   CHECK_FALSE(shell.is_certified());
-  Mesh turned = mesh;
-  CGAL::Polygon_mesh_processing::reverse_face_orientations(turned);
+  const Mesh turned = reversed(mesh);
   CHECK(BS::certify(shell, turned).verdict(BS::Claim::TRANSVERSALITY) == Verdict::REFUTED);
   CHECK_FALSE(shell.is_certified());
   REQUIRE(BS::certify(shell, mesh));
@@ -306,14 +290,14 @@ TEST_CASE("certify: matching certificates of different thresholds or fields is u
   const Shell shell = CGAL::bspline_shell_3(mesh, BS::parameters::resolution(12.)),
               copy(Shell::Field(shell.field()), BS::Level_range{ shell.inner_level(), shell.outer_level() },
                    shell.shell_cells(), {}, shell.report());
-  typedef BS::Shell_certificate_3<Field> Uniform_certificate;
+  typedef BS::Shell_certificate_3<> Certificate;
   const auto certificate = [&](const Field& field, double inner, double outer) {
-    Uniform_certificate result(field, BS::Constant_threshold(inner), BS::Constant_threshold(outer));
+    Certificate result(field, BS::Constant_threshold(inner), BS::Constant_threshold(outer));
     REQUIRE(result.verify(mesh));
     return result;
   };
   const double inner = shell.inner_level(), outer = shell.outer_level();
-  const Uniform_certificate first = certificate(shell.field(), inner, outer);
+  const Certificate first = certificate(shell.field(), inner, outer);
   CHECK(first.matches(certificate(shell.field(), inner, outer)) == Verdict::PROVED);
   CHECK(first.matches(certificate(shell.field(), 1.01 * inner, outer)) == Verdict::UNDECIDED);
   CHECK(first.matches(certificate(shell.field(), inner, 1.01 * outer)) == Verdict::UNDECIDED);

@@ -1,5 +1,7 @@
 // match_components.h: certificates, containment and the map decide whether certified meshes of a shell lie in the same
 // components.
+#include "coefficient_functions.h"
+#include "shell_reports.h"
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
@@ -7,14 +9,11 @@
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
 
-#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,7 +22,7 @@ namespace test_match_components {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
-typedef BS::Uniform_bspline_field_3<> Field;
+typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef CGAL::Bspline_shell_3<Field> Shell;
 typedef BS::Shell_certificate_3<Field> Certificate;
 typedef BS::Certificate_witness Place;
@@ -36,23 +35,8 @@ constexpr double small_radius = 0.6, large_radius = 1;
 // large one; there is a ridge between them.
 const Field& two_spheres()
 {
-  static const Field field = [] {
-    constexpr int half = 12;
-    constexpr double width = 1. / 8, h = half * width;
-    std::vector<std::uint64_t> keys;
-    for(int k = -half; k < half; ++k)
-      for(int j = -half; j < half; ++j)
-        for(int i = -half; i < half; ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
-    Field f(BS::Cell_complex_3(BS::Lattice_3(CGAL::Bbox_3(-h, -h, -h, h, h, h), width), keys));
-    Eigen::VectorXd x(Eigen::Index(f.number_of_coefficients()));
-    for(std::size_t n = 0; n < f.number_of_coefficients(); ++n) {
-      const auto& p = f.functions().point(Field::Cell_index(n));
-      const double r = width * std::sqrt(double(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]));
-      x[Eigen::Index(n)] = 4 * (r - small_radius) * (large_radius - r) + 0.05;
-    }
-    f.set_coefficients(x);
-    return f;
-  }();
+  static const Field field = radial_spline<Field>(
+    12, 1. / 8, [](double r) { return 4 * (r - small_radius) * (large_radius - r) + 0.05; });
   return field;
 }
 
@@ -62,15 +46,7 @@ Mesh small_sphere(double factor = 1)
 }
 Mesh large_sphere(double factor = 1)
 {
-  Mesh mesh = sphere(3, factor * large_radius);
-  CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
-  return mesh;
-}
-Mesh both(const Mesh& first, const Mesh& second)
-{
-  Mesh mesh = first;
-  CGAL::copy_face_graph(second, mesh);
-  return mesh;
+  return reversed(sphere(3, factor * large_radius));
 }
 
 // Returns the shell between two levels, with the certificate of a mesh.
@@ -79,15 +55,10 @@ Shell shell_of(const Mesh& mesh)
   const BS::Level_range levels{ -0.09, 0.09 };
   Certificate certificate(two_spheres(), BS::Constant_threshold(levels.min), BS::Constant_threshold(levels.max));
   REQUIRE(certificate.verify<CGAL::Sequential_tag>(mesh));
-  std::vector<char> cells(two_spheres().number_of_cells(), 0);
-  for(const BS::Cover_box& box : certificate.cover()->boxes())
-    if(box.component != BS::Cover_box::no_component) cells[box.cell] = 1;
-  BS::Shell_report report;
-  report.status = BS::Shell_status::SUCCESS;
-  report.unit = 2 * large_radius;
-  report.certificate = certificate.report();
-  Shell shell(two_spheres(), levels, cells, {}, report);
-  shell.set_proved_cover(certificate.cover()->boxes());
+  const std::vector<BS::Cover_box>& boxes = certificate.cover()->boxes();
+  Shell shell(two_spheres(), levels, cells_of_cover(boxes, two_spheres().number_of_cells()), {},
+              successful_report(2 * large_radius, certificate.report()));
+  shell.set_proved_cover(boxes);
   return shell;
 }
 
@@ -110,7 +81,7 @@ std::size_t number_of_images(const Map& map)
 
 TEST_CASE("Components: certified meshes are assigned to the components of the mesh that the shell was built for")
 {
-  const Mesh mesh = both(small_sphere(), large_sphere());
+  const Mesh mesh = joined(small_sphere(), large_sphere());
   const Shell shell = shell_of(mesh);
   REQUIRE(shell.is_certified());
   CHECK(shell.report().certificate.components == std::vector<std::size_t>{ 0, 1 });
@@ -118,9 +89,9 @@ TEST_CASE("Components: certified meshes are assigned to the components of the me
 
   Certificate certificate(shell);
   CHECK(certificate.verify(mesh));
-  CHECK(certificate.verify(both(small_sphere(1.02), large_sphere(0.99))));
+  CHECK(certificate.verify(joined(small_sphere(1.02), large_sphere(0.99))));
   CHECK(certificate.components() == std::vector<std::size_t>{ 0, 1 });
-  CHECK(certificate.verify(both(large_sphere(0.99), small_sphere(1.02))));
+  CHECK(certificate.verify(joined(large_sphere(0.99), small_sphere(1.02))));
   CHECK(certificate.components() == std::vector<std::size_t>{ 1, 0 });
 
   // Each component alone satisfies all conditions for a mesh without a shell.
@@ -132,7 +103,7 @@ TEST_CASE("Components: certified meshes are assigned to the components of the me
     CHECK(has(certificate, Place::EMPTY_COMPONENT, Verdict::REFUTED));
   }
   // Two sheets in a component of the shell are both assigned to it.
-  CHECK_FALSE(certificate.verify(both(both(small_sphere(), small_sphere(1.02)), large_sphere())));
+  CHECK_FALSE(certificate.verify(joined(joined(small_sphere(), small_sphere(1.02)), large_sphere())));
   CHECK(certificate.components() == std::vector<std::size_t>{ 0, 0, 1 });
   CHECK_FALSE(has(certificate, Place::OTHER_COMPONENT, Verdict::REFUTED));
   CHECK(has(certificate, Place::SHELL_CROSSINGS, Verdict::REFUTED));
@@ -143,7 +114,7 @@ TEST_CASE("Components: a mesh in a level-set component that does not belong to t
   const Shell shell = shell_of(small_sphere());
   Certificate certificate(shell);
   CHECK(certificate.verify(small_sphere(0.99)));
-  for(const Mesh& other : { large_sphere(), both(small_sphere(), large_sphere()) }) {
+  for(const Mesh& other : { large_sphere(), joined(small_sphere(), large_sphere()) }) {
     CHECK_FALSE(certificate.verify(other));
     CHECK(certificate.verdict(Claim::CONTAINMENT) == Verdict::PROVED);
     CHECK(certificate.verdict(Claim::ONE_SHEET) == Verdict::REFUTED);
@@ -160,7 +131,7 @@ TEST_CASE("Components: two certificates with equal thresholds decide whether the
     return certificate;
   };
   const Certificate small = certify(small_sphere()), other_small = certify(small_sphere(1.02)),
-                    large = certify(large_sphere()), all = certify(both(large_sphere(), small_sphere())),
+                    large = certify(large_sphere()), all = certify(joined(large_sphere(), small_sphere())),
                     none = certify(sphere(2, 0.2));
   for(const Certificate* c : { &small, &other_small, &large, &all }) REQUIRE(*c);
   CHECK(small.matches(other_small) == Verdict::PROVED);
@@ -175,38 +146,35 @@ TEST_CASE("Components: two certificates with equal thresholds decide whether the
 
 TEST_CASE("Components: the map between meshes in different components is rejected")
 {
-  const Mesh mesh = both(small_sphere(), large_sphere()), moved = both(small_sphere(1.02), large_sphere(0.99)),
+  const Mesh mesh = joined(small_sphere(), large_sphere()), moved = joined(small_sphere(1.02), large_sphere(0.99)),
              one = small_sphere();
   const Shell shell = shell_of(mesh);
   const BS::Shell_map_3 map(shell, mesh, moved);
   CHECK(map.status() == BS::Flow_status::SUCCESS);
   CHECK(number_of_images(map) == mesh.number_of_faces());
-  for(const auto& refused : { BS::Shell_map_3(shell, mesh, one), BS::Shell_map_3(shell, one, mesh),
-                              BS::Shell_map_3(shell, one, mesh).inverse() }) {
-    CHECK(refused.status() == BS::Flow_status::COMPONENTS_DIFFER);
-    const BS::Shell_map_3<Shell, Mesh>::Source_location location(*refused.source().faces().begin(), { 0.2, 0.3, 0.5 });
-    CHECK(refused(location).status == BS::Flow_status::COMPONENTS_DIFFER);
+  for(const auto& rejected : { BS::Shell_map_3(shell, mesh, one), BS::Shell_map_3(shell, one, mesh),
+                               BS::Shell_map_3(shell, one, mesh).inverse() }) {
+    CHECK(rejected.status() == BS::Flow_status::COMPONENTS_DIFFER);
+    const BS::Shell_map_3<Shell, Mesh>::Source_location location(*rejected.source().faces().begin(), { 0.2, 0.3, 0.5 });
+    CHECK(rejected(location).status == BS::Flow_status::COMPONENTS_DIFFER);
     for(const auto& image :
-        refused.project(std::vector<BS::Shell_map_3<Shell, Mesh>::Source_location>{ location, location }))
+        rejected.project(std::vector<BS::Shell_map_3<Shell, Mesh>::Source_location>{ location, location }))
       CHECK(image.status == BS::Flow_status::COMPONENTS_DIFFER);
-    CHECK_FALSE(std::string(message(refused.status())).empty());
+    CHECK_FALSE(std::string(message(rejected.status())).empty());
   }
   // Reversed orientation, or further parts outside the shell, do not change this.
-  Mesh turned = mesh;
-  CGAL::Polygon_mesh_processing::reverse_face_orientations(turned);
+  const Mesh turned = reversed(mesh);
   CHECK(BS::Shell_map_3(shell, mesh, turned).status() == BS::Flow_status::SUCCESS);
-  const Mesh debris = both(mesh, sphere(1, 0.1));
+  const Mesh debris = joined(mesh, sphere(1, 0.1));
   CHECK(BS::Shell_map_3(shell, mesh, debris).status() == BS::Flow_status::SUCCESS);
 }
 
 TEST_CASE("Components: for an uncertified shell, paths through both meshes confirm a map or leave it unknown")
 {
-  const Shell certified = shell_of(both(small_sphere(), large_sphere()));
-  BS::Shell_report report;
-  report.status = BS::Shell_status::SUCCESS;
-  report.unit = 2;
-  const Shell shell(certified.field(), BS::Level_range{ -0.09, 0.09 }, certified.shell_cells(), {}, report);
-  const Mesh mesh = both(small_sphere(), large_sphere()), moved = both(large_sphere(0.99), small_sphere(1.02)),
+  const Shell certified = shell_of(joined(small_sphere(), large_sphere()));
+  const Shell shell(certified.field(), BS::Level_range{ -0.09, 0.09 }, certified.shell_cells(), {},
+                    successful_report(2));
+  const Mesh mesh = joined(small_sphere(), large_sphere()), moved = joined(large_sphere(0.99), small_sphere(1.02)),
              small = small_sphere(), large = large_sphere();
   const auto status = [&](const Shell& s, const Mesh& source, const Mesh& target) {
     const BS::Shell_map_3 map(s, source, target);
@@ -220,15 +188,13 @@ TEST_CASE("Components: for an uncertified shell, paths through both meshes confi
   CHECK(status(shell, mesh, small) == BS::Flow_status::COMPONENTS_UNKNOWN);
   CHECK(status(shell, large, mesh) == BS::Flow_status::COMPONENTS_UNKNOWN);
   // A mesh outside the shell is in no component.
-  CHECK(status(shell, mesh, both(mesh, sphere(1, 0.1))) == BS::Flow_status::COMPONENTS_UNKNOWN);
+  CHECK(status(shell, mesh, joined(mesh, sphere(1, 0.1))) == BS::Flow_status::COMPONENTS_UNKNOWN);
   CHECK(status(shell, small, small_sphere(1.3)) == BS::Flow_status::COMPONENTS_UNKNOWN);
   // Points have images where the target has points.
   CHECK(number_of_images(BS::Shell_map_3(shell, mesh, small)) == small.number_of_faces());
   // Open meshes in a certified shell: half of a sphere is in the component of the sphere.
   Mesh half = small_sphere(1.01);
-  for(auto f : half.faces())
-    if(half.point(half.target(half.halfedge(f))).z() > 0) CGAL::Euler::remove_face(half.halfedge(f), half);
-  half.collect_garbage();
+  remove_facets(half, [](const Point_3& p) { return p.z() > 0; });
   CHECK(status(certified, half, small) == BS::Flow_status::SUCCESS);
   CHECK(status(certified, small, half) == BS::Flow_status::SUCCESS);
   CHECK(status(certified, half, large) == BS::Flow_status::COMPONENTS_UNKNOWN);
@@ -237,7 +203,7 @@ TEST_CASE("Components: for an uncertified shell, paths through both meshes confi
 
 TEST_CASE("Components: a component whose paths are all degenerate is identified by its vertices")
 {
-  Mesh mesh = both(small_sphere(), large_sphere());
+  Mesh mesh = joined(small_sphere(), large_sphere());
   const Shell shell = shell_of(mesh);
   BS::Shell_report report = shell.report();
   report.certificate.spare_paths.clear();
@@ -259,11 +225,11 @@ TEST_CASE("Components: a component whose paths are all degenerate is identified 
 
 TEST_CASE("Components: containment determines the component of the shell in which a mesh lies")
 {
-  const Mesh mesh = both(small_sphere(), large_sphere());
+  const Mesh mesh = joined(small_sphere(), large_sphere());
   const Shell shell = shell_of(mesh), small_shell = shell_of(small_sphere());
   const BS::Shell_containment_3<Field> contains(shell), contains_small(small_shell);
   CHECK(contains(mesh));
-  CHECK(contains.match(both(large_sphere(), small_sphere())).component_of_shell == std::vector<std::size_t>{ 1, 0 });
+  CHECK(contains.match(joined(large_sphere(), small_sphere())).component_of_shell == std::vector<std::size_t>{ 1, 0 });
   CHECK(contains.match(mesh).verdict() == Verdict::PROVED);
   CHECK(contains(large_sphere()));
   CHECK(contains.match(large_sphere()).verdict() == Verdict::REFUTED);
@@ -338,20 +304,20 @@ TEST_CASE("Components: a mesh that a path crosses twice, or from front to back, 
 
 TEST_CASE("Components: nothing is transferred through a rejected map")
 {
-  const Mesh mesh = both(small_sphere(), large_sphere());
+  const Mesh mesh = joined(small_sphere(), large_sphere());
   Mesh one = small_sphere();
   const Shell shell = shell_of(mesh);
   auto values = one.add_property_map<Mesh::Vertex_index, double>("v:value", 7).first;
   Mesh source = mesh;
   const auto from = source.add_property_map<Mesh::Vertex_index, double>("v:value", 1).first;
-  const auto refused = [&](const BS::Transfer_report& report) {
+  const auto rejected = [&](const BS::Transfer_report& report) {
     CHECK(report.failures.size() == one.number_of_vertices());
     for(const auto& failure : report.failures) CHECK(failure.second == BS::Flow_status::COMPONENTS_DIFFER);
     for(auto v : one.vertices()) CHECK(values[v] == 7);
   };
   const BS::Shell_map_3 map(shell, source, one);
   REQUIRE(map.status() == BS::Flow_status::COMPONENTS_DIFFER);
-  refused(BS::transfer_vertex_attribute(map, from, values));
-  refused(BS::average_vertex_attribute(map, from, values));
+  rejected(BS::transfer_vertex_attribute(map, from, values));
+  rejected(BS::average_vertex_attribute(map, from, values));
 }
 } // namespace test_match_components

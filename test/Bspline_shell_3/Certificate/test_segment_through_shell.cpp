@@ -11,7 +11,6 @@
 
 namespace test_segment_through_shell {
 namespace BS = CGAL::Bspline_shells;
-typedef Uniform_field Field;
 typedef Field::Point_3 Point;
 typedef BS::Constant_threshold Constant;
 typedef BS::Spline_threshold<Field> Varying;

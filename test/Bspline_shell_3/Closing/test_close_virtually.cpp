@@ -24,37 +24,22 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 typedef BS::Shell_closing_3 Closing;
 typedef BS::Shell_status Status;
 
-std::vector<double> steps(double first, double last, int number)
-{
-  std::vector<double> x;
-  for(int i = 0; i <= number; ++i) x.push_back(first + (last - first) * i / number);
-  return x;
-}
-
 // Returns a rectangle of the parameter plane, mapped to space by `place`.
 Mesh surface(int nu, int nv, const std::function<Point_3(double, double)>& place)
 {
-  Mesh mesh = sheet(steps(0, 1, nu), steps(0, 1, nv), [](double, double) { return 0.; });
-  for(auto v : mesh.vertices()) mesh.point(v) = place(mesh.point(v).x(), mesh.point(v).y());
-  return mesh;
+  return mapped(sheet(steps(0, 1, nu), steps(0, 1, nv)), [&](const Point_3& p) { return place(p.x(), p.y()); });
 }
 
-void remove_faces(Mesh& mesh, const std::function<bool(const Point_3&)>& is_removed)
+struct Closed_mesh
 {
-  std::vector<Mesh::Face_index> faces;
-  for(auto f : mesh.faces()) {
-    const auto h = mesh.halfedge(f);
-    if(is_removed(
-         CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))))))
-      faces.push_back(f);
-  }
-  for(auto f : faces) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
-  mesh.collect_garbage();
-}
+  Mesh mesh;
+  BS::Closing_report report;
+};
 
-// Returns the closed mesh, after checks of its guarantees.
-Mesh closed(const Mesh& mesh, double offset, BS::Closing_report& report)
+// Checks the guarantees of the closed mesh, which has the facets of `mesh` first.
+Closed_mesh closed(const Mesh& mesh, double offset)
 {
+  BS::Closing_report report;
   const BS::Virtual_closing found = BS::close_virtually<CGAL::Sequential_tag>(mesh, offset, report);
   REQUIRE(found.status == Status::SUCCESS);
   REQUIRE(found.closing);
@@ -74,7 +59,7 @@ Mesh closed(const Mesh& mesh, double offset, BS::Closing_report& report)
             < found.closing->number_of_border_points());
     }
   CHECK(found.closing->number_of_border_points() == border);
-  return whole;
+  return { whole, report };
 }
 
 } // namespace
@@ -82,9 +67,8 @@ Mesh closed(const Mesh& mesh, double offset, BS::Closing_report& report)
 TEST_CASE("Closing: an open half sphere gets a flat cap")
 {
   Mesh mesh = sphere(3);
-  remove_faces(mesh, [](const Point_3& p) { return p.z() < 0.1; });
-  BS::Closing_report report;
-  const Mesh whole = closed(mesh, 0.05, report);
+  remove_facets(mesh, [](const Point_3& p) { return p.z() < 0.1; });
+  const auto [whole, report] = closed(mesh, 0.05);
   REQUIRE(report.holes.size() == 1);
   CHECK(report.caps() == 1);
   CHECK(report.sheets == 0);
@@ -97,9 +81,8 @@ TEST_CASE("Closing: an open half sphere gets a flat cap")
 TEST_CASE("Closing: a planar sheet becomes a slab with sloping sides")
 {
   constexpr double offset = 0.05;
-  const Mesh mesh = sheet(steps(0, 1, 4), steps(0, 2, 8), [](double, double) { return 0.; });
-  BS::Closing_report report;
-  const Mesh whole = closed(mesh, offset, report);
+  const Mesh mesh = sheet(steps(0, 1, 4), steps(0, 2, 8));
+  const auto [whole, report] = closed(mesh, offset);
   CHECK(report.caps() == 0);
   CHECK(report.sheets == 1);
   CHECK(report.least_offset == Approx(offset));
@@ -114,20 +97,18 @@ TEST_CASE("Closing: a planar sheet becomes a slab with sloping sides")
 
 TEST_CASE("Closing: a planar annulus with a slit and a flat sharp triangle get a back sheet")
 {
-  BS::Closing_report report;
   const Mesh annulus = surface(24, 3, [](double u, double v) {
     const double angle = -1.96 * CGAL_PI * u, r = 0.5 + 0.5 * v;
     return Point_3(r * std::cos(angle), r * std::sin(angle), 0);
   });
-  closed(annulus, 0.05, report); // the slit is 0.06 wide at the inner circle
+  const BS::Closing_report report = closed(annulus, 0.05).report; // the slit is 0.06 wide at the inner circle
   CHECK(report.sheets == 1);
   CHECK(report.largest_offset <= 0.05 * (1 + 1e-12));
 
   Mesh tip; // an angle of five degrees
   const double t = std::tan(5 * CGAL_PI / 180);
   tip.add_face(tip.add_vertex(Point_3(0, 0, 0)), tip.add_vertex(Point_3(1, 0, 0)), tip.add_vertex(Point_3(1, t, 0)));
-  closed(tip, 0.02, report);
-  CHECK(report.sheets == 1);
+  CHECK(closed(tip, 0.02).report.sheets == 1);
 }
 
 TEST_CASE("Closing: a sphere with a hundred holes gets a hundred caps")
@@ -155,8 +136,7 @@ TEST_CASE("Closing: a sphere with a hundred holes gets a hundred caps")
     if(!CGAL::is_triangle(mesh.halfedge(f), mesh)) polygons.push_back(f);
   for(auto f : polygons) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
   mesh.collect_garbage();
-  BS::Closing_report report;
-  closed(mesh, 0.05, report);
+  const BS::Closing_report report = closed(mesh, 0.05).report;
   CHECK(report.holes.size() == 100);
   CHECK(report.caps() == 100);
   CHECK(report.sheets == 0);
@@ -169,8 +149,7 @@ TEST_CASE("Closing: if a cap would intersect the mesh, a back sheet replaces it,
     const double angle = 4 * CGAL_PI * u, r = 0.3 + 0.2 * u;
     return Point_3(r * std::cos(angle), r * std::sin(angle), 0.5 * v);
   });
-  BS::Closing_report report;
-  closed(mesh, 0.2, report);
+  const BS::Closing_report report = closed(mesh, 0.2).report;
   CHECK(report.caps() == 0);
   CHECK(report.sheets == 1);
   CHECK(report.least_offset < 0.1);
@@ -179,22 +158,17 @@ TEST_CASE("Closing: if a cap would intersect the mesh, a back sheet replaces it,
 
 TEST_CASE("Closing: two sheets back to back, closer than the offset, get back sheets between them")
 {
-  Mesh mesh = sheet(steps(0, 1, 4), steps(0, 1, 4), [](double, double) { return 0.02; });
-  Mesh other = sheet(steps(0, 1, 4), steps(0, 1, 4), [](double, double) { return 0.; });
-  PMP::reverse_face_orientations(other);
-  mesh.join(other);
-  BS::Closing_report report;
-  closed(mesh, 0.05, report);
+  const std::vector<double> xs = steps(0, 1, 4);
+  const Mesh mesh = joined(sheet(xs, xs, 0.02), reversed(sheet(xs, xs)));
+  const BS::Closing_report report = closed(mesh, 0.05).report;
   CHECK(report.sheets == 2);
   CHECK(report.largest_offset < 0.01);
 }
 
 TEST_CASE("Closing: closed components are left unchanged")
 {
-  Mesh mesh = sphere(2, 1, Point_3(5, 0, 0));
-  mesh.join(sheet(steps(0, 1, 2), steps(0, 1, 2), [](double, double) { return 0.; }));
-  BS::Closing_report report;
-  const Mesh whole = closed(mesh, 0.05, report);
+  const Mesh mesh = joined(sphere(2, 1, Point_3(5, 0, 0)), sheet(steps(0, 1, 2), steps(0, 1, 2)));
+  const auto [whole, report] = closed(mesh, 0.05);
   CHECK(report.sheets == 1);
   CHECK(report.triangles == 8 + 2 * 8);
   CHECK(whole.number_of_faces() == mesh.number_of_faces() + report.triangles);
@@ -203,23 +177,17 @@ TEST_CASE("Closing: closed components are left unchanged")
 TEST_CASE("Closing: a shallow dish gets no cap that would leave a thin wall")
 {
   Mesh dish = sphere(5); // 0.28 wide and 0.01 deep
-  remove_faces(dish, [](const Point_3& p) { return p.z() < 0.99; });
-  BS::Closing_report report;
-  closed(dish, 0.1, report);
-  CHECK(report.sheets == 1);
-  closed(dish, 0.002, report);
-  CHECK(report.caps() == 1);
+  remove_facets(dish, [](const Point_3& p) { return p.z() < 0.99; });
+  CHECK(closed(dish, 0.1).report.sheets == 1);
+  CHECK(closed(dish, 0.002).report.caps() == 1);
 }
 
 TEST_CASE("Closing: a self-intersecting mesh is rejected, and its facets are reported")
 {
-  Mesh mesh = sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; });
-  Mesh other = mesh;
-  for(auto v : other.vertices()) {
-    const Point_3 p = other.point(v);
-    other.point(v) = Point_3(0.3 + 0.2 * p.y(), 0.3 + 0.1 * p.x(), p.y() - 0.5);
-  }
-  mesh.join(other);
+  const Mesh flat = sheet({ 0, 1 }, { 0, 1 }),
+             mesh = joined(flat, mapped(flat, [](const Point_3&p) {
+                             return Point_3(0.3 + 0.2 * p.y(), 0.3 + 0.1 * p.x(), p.y() - 0.5);
+                           }));
   BS::Closing_report report;
   const auto found = BS::close_virtually<CGAL::Sequential_tag>(mesh, 0.05, report);
   CHECK(found.status == Status::SELF_INTERSECTION);
@@ -248,7 +216,7 @@ TEST_CASE("Closing: a spiral ramp cannot be closed at its axis")
 TEST_CASE("Closing: the result does not depend on the number of threads")
 {
   Mesh mesh = sphere(3);
-  remove_faces(mesh, [](const Point_3& p) { return std::abs(p.z()) < 0.3 || p.x() > 0.9; });
+  remove_facets(mesh, [](const Point_3& p) { return std::abs(p.z()) < 0.3 || p.x() > 0.9; });
   BS::Closing_report one, several;
   const auto a = BS::close_virtually<CGAL::Sequential_tag>(mesh, 0.2, one);
   const auto b = BS::close_virtually<CGAL::Parallel_if_available_tag>(mesh, 0.2, several);

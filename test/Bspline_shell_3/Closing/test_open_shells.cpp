@@ -10,7 +10,6 @@
 #include <CGAL/certified_bspline_shell_3.h>
 #include "test_meshes.h"
 
-#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -34,17 +33,10 @@ typedef CGAL::Certified_bspline_shell_3 Shell;
 typedef BS::Shell_certificate_3<Shell::Field, Shell::Threshold> Certificate;
 typedef BS::Shell_map_3<Shell, Mesh> Map;
 
-std::vector<double> steps(int number)
-{
-  std::vector<double> x;
-  for(int i = 0; i <= number; ++i) x.push_back(double(i) / number);
-  return x;
-}
-
 // Returns hills and hollows over the unit square. Any cap would intersect them, so the mesh gets a back sheet.
 const Mesh& hill()
 {
-  static const Mesh mesh = sheet(steps(16), steps(16), [](double x, double y) {
+  static const Mesh mesh = sheet(steps(0, 1, 16), steps(0, 1, 16), [](double x, double y) {
     return 0.1 * std::sin(2 * CGAL_PI * x) * std::sin(2 * CGAL_PI * y);
   });
   return mesh;
@@ -56,25 +48,18 @@ const Shell& hill_shell()
 }
 
 // Returns a sphere with two holes, which get caps.
-const Mesh& lantern()
+const Mesh& sphere_with_holes()
 {
   static const Mesh mesh = [] {
     Mesh m = sphere(3);
-    std::vector<Mesh::Face_index> removed;
-    for(auto f : m.faces()) {
-      const auto h = m.halfedge(f);
-      if(std::abs(CGAL::centroid(m.point(m.source(h)), m.point(m.target(h)), m.point(m.target(m.next(h)))).z()) > 0.8)
-        removed.push_back(f);
-    }
-    for(auto f : removed) CGAL::Euler::remove_face(m.halfedge(f), m);
-    m.collect_garbage();
+    remove_facets(m, [](const Point_3& p) { return std::abs(p.z()) > 0.8; });
     return m;
   }();
   return mesh;
 }
-const Shell& lantern_shell()
+const Shell& shell_with_caps()
 {
-  static const Shell shell = CGAL::certified_bspline_shell_3(lantern());
+  static const Shell shell = CGAL::certified_bspline_shell_3(sphere_with_holes());
   return shell;
 }
 
@@ -143,21 +128,20 @@ TEST_CASE("Open meshes: the shell is certified together with the closing")
   CHECK(hill_shell().facet_ranges().size() == hill().number_of_faces() + hill_shell().closing()->triangles().size());
   CHECK(hill_shell().report().triangles == hill_shell().facet_ranges().size());
 
-  REQUIRE(lantern_shell().is_certified());
-  CHECK(lantern_shell().report().closing.caps() == 2);
-  CHECK(lantern_shell().report().closing.sheets == 0);
+  REQUIRE(shell_with_caps().is_certified());
+  CHECK(shell_with_caps().report().closing.caps() == 2);
+  CHECK(shell_with_caps().report().closing.sheets == 0);
 
   CHECK_FALSE(CGAL::certified_bspline_shell_3(sphere(2)).closing());
-  const Shell refused = CGAL::certified_bspline_shell_3(hill(), parameters::virtual_closing(false));
-  CHECK(refused.status() == BS::Shell_status::OPEN_MESH);
-  CHECK_FALSE(refused.report().offending_simplices.facets.empty());
+  const Shell rejected = CGAL::certified_bspline_shell_3(hill(), parameters::virtual_closing(false));
+  CHECK(rejected.status() == BS::Shell_status::OPEN_MESH);
+  CHECK_FALSE(rejected.report().offending_simplices.facets.empty());
 }
 
 TEST_CASE("Open meshes: an open mesh of polygons is closed and certified")
 {
-  Mesh mesh; // a box of quadrangles without its top
   const Mesh whole = box(Point_3(0, 0, 0), Point_3(1, 1, 1), false);
-  mesh = whole;
+  Mesh mesh = whole; // without the top
   for(auto f : whole.faces()) {
     bool is_top = true;
     for(auto v : whole.vertices_around_face(whole.halfedge(f))) is_top = is_top && whole.point(v).z() == 1;
@@ -195,9 +179,7 @@ TEST_CASE("Open meshes: a certificate requires the exact border of the mesh, bit
     }
   CHECK_FALSE(certificate.verify(smaller));
   CHECK(certificate.status() == BS::Shell_status::OPEN_MESH);
-  Mesh turned = hill();
-  CGAL::Polygon_mesh_processing::reverse_face_orientations(turned);
-  CHECK_FALSE(certificate.verify(turned));
+  CHECK_FALSE(certificate.verify(reversed(hill())));
   Mesh closed = hill(); // closed in advance by the same triangles
   REQUIRE(hill_shell().closing()->attach(closed, closed.points()));
   CHECK(certificate.verify(closed));
@@ -206,7 +188,7 @@ TEST_CASE("Open meshes: a certificate requires the exact border of the mesh, bit
 TEST_CASE("Open meshes: simplification keeps the border, and every point maps to the result and back")
 {
   for(const auto& [mesh, shell] :
-      { std::make_pair(hill(), &hill_shell()), std::make_pair(lantern(), &lantern_shell()) }) {
+      { std::make_pair(hill(), &hill_shell()), std::make_pair(sphere_with_holes(), &shell_with_caps()) }) {
     Mesh coarse = mesh;
     const auto result = BS::simplify_in_shell(coarse, *shell, parameters::locate_vertices(true));
     REQUIRE(result.status == BS::Edit_status::SUCCESS);
@@ -227,13 +209,13 @@ TEST_CASE("Open meshes: simplification keeps the border, and every point maps to
 
 TEST_CASE("Open meshes: the requested number of facets does not include the closing")
 {
-  const std::size_t asked = hill().number_of_faces() / 2;
+  const std::size_t requested = hill().number_of_faces() / 2;
   Mesh coarse = hill();
   const auto result = BS::simplify_in_shell(coarse, hill_shell(),
-                                            parameters::stop(BS::Facet_count_stop_predicate(asked)));
+                                            parameters::stop(BS::Facet_count_stop_predicate(requested)));
   REQUIRE(result);
-  CHECK(result.facets <= asked);
-  CHECK(result.facets + 2 >= asked);
+  CHECK(result.facets <= requested);
+  CHECK(result.facets + 2 >= requested);
 }
 
 TEST_CASE("Open meshes: simplification keeps constrained edges, and freezes facets outside the shell")
@@ -287,9 +269,9 @@ TEST_CASE("Open meshes: after an exception, the mesh has its facets and border b
 
 TEST_CASE("Open meshes: stacked sheets and a closed component near them share a shell and are mapped")
 {
-  Mesh mesh = sheet(steps(4), steps(4), [](double, double) { return 0.12; });
-  mesh.join(sheet(steps(4), steps(4), [](double, double) { return 0.; }));
-  mesh.join(sphere(2, 0.2, Point_3(1.5, 0.5, 0)));
+  const std::vector<double> xs = steps(0, 1, 4);
+  Mesh sheets = joined(sheet(xs, xs, 0.12), sheet(xs, xs));
+  const Mesh mesh = joined(sheets, sphere(2, 0.2, Point_3(1.5, 0.5, 0)));
   const Shell shell = CGAL::certified_bspline_shell_3(mesh);
   REQUIRE(shell.is_certified());
   CHECK(shell.report().components == 3);
@@ -300,8 +282,6 @@ TEST_CASE("Open meshes: stacked sheets and a closed component near them share a 
   coarse.collect_garbage();
   check_round_trips(shell, mesh, coarse);
   // Without the sphere, the border is the same, but a component of the shell is empty.
-  Mesh sheets = sheet(steps(4), steps(4), [](double, double) { return 0.12; });
-  sheets.join(sheet(steps(4), steps(4), [](double, double) { return 0.; }));
   Certificate certificate(shell);
   CHECK_FALSE(certificate.verify(sheets));
   CHECK(certificate.verdict(BS::Claim::ONE_SHEET) == BS::Verdict::REFUTED);
@@ -312,15 +292,15 @@ TEST_CASE("Open meshes: stacked sheets and a closed component near them share a 
 
 TEST_CASE("Open meshes: remeshing keeps the border, and every point maps to the result and back")
 {
-  Mesh mesh = lantern();
-  const auto result = BS::remesh_in_shell(mesh, 0.2, lantern_shell());
+  Mesh mesh = sphere_with_holes();
+  const auto result = BS::remesh_in_shell(mesh, 0.2, shell_with_caps());
   REQUIRE(result.status == BS::Edit_status::SUCCESS);
-  CHECK(result.images.size() == lantern().number_of_vertices());
+  CHECK(result.images.size() == sphere_with_holes().number_of_vertices());
   for(auto v : result.images) CHECK_FALSE(mesh.is_removed(v));
   mesh.collect_garbage();
   CHECK(mesh.is_valid());
-  CHECK(border(mesh) == border(lantern()));
-  check_round_trips(lantern_shell(), lantern(), mesh);
+  CHECK(border(mesh) == border(sphere_with_holes()));
+  check_round_trips(shell_with_caps(), sphere_with_holes(), mesh);
 }
 
 TEST_CASE("Open meshes: a Polyhedron_3 can be edited, and a mesh with another border is rejected")
@@ -335,10 +315,10 @@ TEST_CASE("Open meshes: a Polyhedron_3 can be edited, and a mesh with another bo
   mesh.normalize_border();
   CHECK(mesh.size_of_border_edges() == border(hill()).size());
 
-  Mesh other = lantern();
+  Mesh other = sphere_with_holes();
   CHECK(BS::simplify_in_shell(other, hill_shell()).status == BS::Edit_status::OPEN_MESH);
   CHECK(BS::remesh_in_shell(other, 0.2, hill_shell()).status == BS::Edit_status::OPEN_MESH);
-  CHECK(is_equal(other, lantern()));
+  CHECK(is_equal(other, sphere_with_holes()));
 }
 
 TEST_CASE("Open meshes: attributes are transferred, exactly at border vertices")
@@ -368,8 +348,8 @@ TEST_CASE("Open meshes: images beyond the border by less than the tolerance are 
     const Point_3 p = CGAL::midpoint(hill().point(hill().source(h)), hill().point(hill().target(h)));
     if(p.x() != 0) continue;
     // `out` is in the plane of the facet, across its edge
-    const Kernel::Vector_3 edge = hill().point(hill().target(h)) - hill().point(hill().source(h));
-    Kernel::Vector_3 out = p - hill().point(hill().target(hill().next(hill().opposite(h))));
+    const Vector_3 edge = hill().point(hill().target(h)) - hill().point(hill().source(h));
+    Vector_3 out = p - hill().point(hill().target(hill().next(hill().opposite(h))));
     out = out - (out * edge) / edge.squared_length() * edge;
     out = map.to_target().tolerance() / std::sqrt(out.squared_length()) * out;
     const auto inside = map.to_target()(p - 0.4 * out);
@@ -389,18 +369,18 @@ TEST_CASE("Open meshes: shell files keep the closing")
 {
   for(BS::Shell_format format : { BS::Shell_format::BINARY, BS::Shell_format::ASCII }) {
     std::stringstream file;
-    REQUIRE(BS::write_shell(file, lantern_shell(), format) == BS::Shell_file_status::SUCCESS);
+    REQUIRE(BS::write_shell(file, shell_with_caps(), format) == BS::Shell_file_status::SUCCESS);
     const std::string text = file.str();
     Shell back;
     REQUIRE(BS::read_shell(file, back) == BS::Shell_file_status::SUCCESS);
     REQUIRE(back.closing());
-    CHECK(back.closing()->points() == lantern_shell().closing()->points());
-    CHECK(back.closing()->number_of_border_points() == lantern_shell().closing()->number_of_border_points());
-    CHECK(back.closing()->triangles() == lantern_shell().closing()->triangles());
-    CHECK(back.closing()->kinds() == lantern_shell().closing()->kinds());
+    CHECK(back.closing()->points() == shell_with_caps().closing()->points());
+    CHECK(back.closing()->number_of_border_points() == shell_with_caps().closing()->number_of_border_points());
+    CHECK(back.closing()->triangles() == shell_with_caps().closing()->triangles());
+    CHECK(back.closing()->kinds() == shell_with_caps().closing()->kinds());
     Certificate certificate(back);
-    CHECK(certificate.verify(lantern()));
-    Mesh coarse = lantern();
+    CHECK(certificate.verify(sphere_with_holes()));
+    Mesh coarse = sphere_with_holes();
     CHECK(BS::simplify_in_shell(coarse, back));
     std::stringstream again;
     REQUIRE(BS::write_shell(again, back, format) == BS::Shell_file_status::SUCCESS);
@@ -416,7 +396,7 @@ TEST_CASE("Open meshes: shell files keep the closing")
 TEST_CASE("Open meshes: a closing given by the user is used if it fits, and rejected otherwise")
 {
   // The closing is a tent under the square.
-  const Mesh mesh = sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; });
+  const Mesh mesh = sheet({ 0, 1 }, { 0, 1 });
   const BS::Shell_closing_3 tent({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.5, 0.5, -0.5 } }, 4,
                                  { { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 4 }, { 0, 3, 4 } },
                                  std::vector<BS::Shell_closing_3::Kind>(4, BS::Shell_closing_3::Kind::CAP));
@@ -433,8 +413,8 @@ TEST_CASE("Open meshes: a closing given by the user is used if it fits, and reje
 
 TEST_CASE("Open meshes: one thread and several threads build the same shell")
 {
-  const Shell one = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(lantern()),
-              several = CGAL::certified_bspline_shell_3<CGAL::Parallel_if_available_tag>(lantern());
+  const Shell one = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(sphere_with_holes()),
+              several = CGAL::certified_bspline_shell_3<CGAL::Parallel_if_available_tag>(sphere_with_holes());
   CHECK(one.closing()->triangles() == several.closing()->triangles());
   CHECK(BS::shell_checksum(one) == BS::shell_checksum(several));
 }

@@ -1,9 +1,7 @@
 // Mesh_ranges.h: enclosures of a field on the mesh in each cell are compared with samples. Unchanged ranges are kept,
 // and changed ones are computed again.
 #include <CGAL/Bspline_shell_3/Construction/Mesh_ranges.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
-#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
-#include "test_meshes.h"
+#include "field_on_mesh.h"
 
 #include <CGAL/Random.h>
 
@@ -19,42 +17,13 @@ namespace test_Mesh_ranges {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
-typedef BS::Uniform_bspline_field_3<> Field;
 typedef BS::Level_range Range;
 typedef BS::Mesh_ranges Ranges;
 typedef CGAL::Sequential_tag Sequential;
 
-struct Problem
+struct Problem : Field_on_mesh
 {
-  BS::Input_mesh_3 input;
-  BS::Clipped_mesh_3 clipped;
-  Field field;
-
-  Problem(const Mesh& mesh, const BS::Lattice_3& lattice)
-  {
-    REQUIRE(input.build<Sequential>(mesh, mesh.points(), {}) == BS::Shell_status::SUCCESS);
-    const std::vector<std::uint64_t> keys = BS::cells_entered_by_mesh<Sequential>(input, lattice);
-    field = Field(BS::Cell_complex_3(lattice, BS::dilate(keys, -1, 1)));
-    clipped = BS::clip_mesh_to_cells<Sequential>(input, field.cells());
-  }
-
-  template <typename Function>
-  void set(const Function& coefficient)
-  {
-    Eigen::VectorXd x(field.number_of_coefficients());
-    for(Eigen::Index n = 0; n < x.size(); ++n) x[n] = coefficient(field.functions().point(Field::Cell_index(n)));
-    field.set_coefficients(x);
-  }
-
-  // Sets the field close to the distance from the unit sphere, plus noise.
-  void set_noisy_distance(double noise, int seed)
-  {
-    CGAL::Random random(seed);
-    set([&](const BS::Lattice_3::Point& g) {
-      const std::array<double, 3> p = field.cells().lattice().corner(g);
-      return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) - 1 + random.get_double(-noise, noise);
-    });
-  }
+  using Field_on_mesh::Field_on_mesh;
 
   // Calls visit(piece, value of the field at a point of the piece).
   template <typename Visitor>
@@ -149,9 +118,7 @@ TEST_CASE("Mesh ranges: ranges enclose the field on the mesh, and identify cells
       for(const BS::Thick_cell& t : ranges.thick_cells()) {
         const auto triangle = problem.input.triangle(BS::Input_mesh_3::Face_index(t.facet));
         const Point_3 p(t.point[0], t.point[1], t.point[2]);
-        wrong += !(CGAL::squared_distance(
-                     p, CGAL::Triangle_3<CGAL::Kernel_traits<Point_3>::Kernel>(triangle[0], triangle[1], triangle[2]))
-                   < 1e-24);
+        wrong += !(CGAL::squared_distance(p, Kernel::Triangle_3(triangle[0], triangle[1], triangle[2])) < 1e-24);
         wrong += !(std::abs(problem.field.cell(t.cell).value(t.point)) > 0.9 * size_of(sampled[t.cell]));
       }
       CHECK(wrong == 0);
@@ -164,9 +131,8 @@ TEST_CASE("Mesh ranges: a peak between corners is detected")
   // 1 - ((x - 0.3)^2 + (y - 0.2)^2) / 4 on the top of a box; no piece has a corner at the peak
   Problem problem(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), BS::Lattice_3(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5));
   const double h = 0.5;
-  problem.set([&](const BS::Lattice_3::Point& g) {
-    const std::array<double, 3> p = problem.field.cells().lattice().corner(g);
-    const double x = p[0] - 0.3, y = p[1] - 0.2;
+  problem.set([&](const Point_3& p) {
+    const double x = p.x() - 0.3, y = p.y() - 0.2;
     return 1 - (x * x + y * y - 2 * h * h / 3) / 4;
   });
   for(double size : { 1 - 1e-3, 1 + 1e-3 }) {

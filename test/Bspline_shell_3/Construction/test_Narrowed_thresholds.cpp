@@ -1,13 +1,12 @@
 // Narrowed_thresholds.h: thresholds are as wide as requested where the shell is proved to be free of critical points,
 // and narrower at other places. Data that is kept from field to field does not change the result.
 #include <CGAL/Bspline_shell_3/Construction/Narrowed_thresholds.h>
-#include "random_hierarchies.h"
-#include "test_meshes.h"
+#include "coefficient_functions.h"
+#include "input_of_mesh.h"
 
 #include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/refined_coefficients.h>
-#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 
 #include <algorithm>
@@ -30,33 +29,26 @@ typedef Field::Cell_index Index;
 // near the center.
 struct Ball
 {
-  BS::Input_mesh_3 input;
+  BS::Input_mesh_3 input = input_of(sphere(3));
   Field field;
   BS::Clipped_mesh_3 clipped;
   std::vector<BS::Level_range> ranges;
 
   explicit Ball(double level = 1, double scale = 1)
   {
-    const Mesh mesh = sphere(3);
-    REQUIRE(input.build<Tag>(mesh, get(CGAL::vertex_point, mesh), {}) == BS::Shell_status::SUCCESS);
-    CGAL::Random random(1);
-    const Hierarchy cells(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.5, { -5, -5, -5 }, { 4, 4, 4 }),
-                                     { -5, -5, -5 }, { 4, 4, 4 }));
+    const Hierarchy cells(all_cells(0.5, { -5, -5, -5 }, { 4, 4, 4 }));
     set_field(cells.refined({ cells.locate(Point_3(0, 0.6, 0.8)) }), level, scale);
   }
 
   void set_field(const Hierarchy& cells, double level, double scale)
   {
     field = Field(cells);
-    Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
-    for(Index n = 0; n < field.number_of_coefficients(); ++n)
-      x[n] = scale * (std::sqrt(squared_distance(field.support(n))) - level);
-    set_coefficients(x);
+    set_coefficients(field, [&](const Point_3& p, double) { return scale * (distance(p, CGAL::ORIGIN) - level); });
+    update_ranges();
   }
 
-  void set_coefficients(const Eigen::VectorXd& x)
+  void update_ranges()
   {
-    field.set_coefficients(x);
     clipped = BS::clip_mesh_to_cells<Tag>(input, field.cells());
     ranges = BS::facet_ranges<Tag>(field, clipped).cell;
   }
@@ -66,14 +58,6 @@ struct Ball
   {
     return thresholds.choose<ConcurrencyTag>(
       [&](BS::Mesh_ranges::Precision) -> const std::vector<BS::Level_range>& { return ranges; }, limits);
-  }
-
-private:
-  static double squared_distance(const CGAL::Bbox_3& support)
-  {
-    double squared = 0;
-    for(int a = 0; a < 3; ++a) squared += std::pow(((support.min)(a) + (support.max)(a)) / 2, 2);
-    return squared;
   }
 };
 
@@ -237,19 +221,11 @@ struct Hollow_ball
 
   explicit Hollow_ball(double wall) : depth(wall * wall / (4 * width))
   {
-    CGAL::Random random(1);
-    const Lattice_point first = { -14, -14, -14 }, last = { 13, 13, 13 };
-    field = Field(
-      Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, width, first, last), first, last)));
-    Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
-    for(Index n = 0; n < field.number_of_coefficients(); ++n) {
-      const CGAL::Bbox_3 b = field.support(n);
-      const Point_3 p((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2);
-      // The squared distance is the spline whose coefficients are smaller by a third of the squared width.
-      x[n] = (std::pow(std::sqrt(CGAL::squared_distance(p, Point_3(0, 0, 0))) - radius, 2) - width * width / 3) / width
-             - depth;
-    }
-    field.set_coefficients(x);
+    field = Field(Hierarchy(all_cells(width, { -14, -14, -14 }, { 13, 13, 13 })));
+    // The squared distance is the spline whose coefficients are smaller by a third of the squared width.
+    set_coefficients(field, [&](const Point_3& p, double) {
+      return (std::pow(distance(p, CGAL::ORIGIN) - radius, 2) - width * width / 3) / width - depth;
+    });
     ranges.assign(field.number_of_cells(), BS::Level_range());
     for(Index c = 0; c < ranges.size(); ++c)
       if(is_at_wall(c)) ranges[c] = { -small, small };
@@ -259,7 +235,7 @@ struct Hollow_ball
   {
     const CGAL::Bbox_3 b = field.cell(c).bbox();
     const Point_3 p((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2);
-    return std::abs(std::sqrt(CGAL::squared_distance(p, Point_3(0, 0, 0))) - radius) < width;
+    return std::abs(distance(p, CGAL::ORIGIN) - radius) < width;
   }
 
   std::vector<Obstacle> choose(Thresholds& thresholds) const
@@ -363,7 +339,8 @@ TEST_CASE("Narrowed thresholds: caps are kept for the next field, and are wider 
   const Hierarchy before = ball.field.cells();
   Ball finer;
   finer.field = Field(before.refined(all));
-  finer.set_coefficients(BS::refined_coefficients(ball.field, ball.field.coefficients(), finer.field));
+  finer.field.set_coefficients(BS::refined_coefficients(ball.field, ball.field.coefficients(), finer.field));
+  finer.update_ranges();
   thresholds.forget_field(before, finer.field.cells());
   thresholds.begin(finer.field, thick);
   finer.choose(thresholds, once);
@@ -389,7 +366,8 @@ TEST_CASE("Narrowed thresholds: reusing results of an unchanged field does not c
       if(touched[u]) changed[c] = 1;
     });
   REQUIRE(std::count(changed.begin(), changed.end(), 1) < std::ptrdiff_t(changed.size()));
-  ball.set_coefficients(x);
+  ball.field.set_coefficients(x);
+  ball.update_ranges();
   kept.field_has_changed(changed);
   CHECK_FALSE(kept.are_chosen());
   const std::vector<Obstacle> obstacles = ball.choose(kept);
@@ -422,7 +400,8 @@ TEST_CASE("Narrowed thresholds: on finer cells, covers and caps are kept under n
   const Hierarchy fine = before.cells().refined({ before.locate(Point_3(-1, 0, 0.1)) });
   Ball finer;
   finer.field = Field(fine);
-  finer.set_coefficients(BS::refined_coefficients(before, coarse, finer.field));
+  finer.field.set_coefficients(BS::refined_coefficients(before, coarse, finer.field));
+  finer.update_ranges();
   std::vector<Index> now(before.number_of_cells());
   std::size_t same = 0;
   for(Index c = 0; c < now.size(); ++c) {

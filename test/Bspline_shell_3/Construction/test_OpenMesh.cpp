@@ -120,7 +120,7 @@ TEST_CASE("OpenMesh: meshes can be truncated, even at vertices with common facet
 TEST_CASE("OpenMesh: a mesh is closed and opened again, or left unchanged if the closing does not fit")
 {
   typedef BS::Shell_closing_3 Closing;
-  const Mesh square = sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; });
+  const Mesh square = sheet({ 0, 1 }, { 0, 1 });
   const std::vector<Closing::Point> border = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
   const auto check = [&](std::vector<Closing::Point> points, const std::vector<Closing::Triangle>& triangles,
                          bool fits) {

@@ -40,22 +40,10 @@ TEST_CASE("Refinement history: refinement is in vain after too many rounds in a 
   }
   SECTION("a round with progress resets the count")
   {
-    SECTION("fewer facets")
-    {
-      history.add_round(round_with(0, 4, 100), 1);
-    }
-    SECTION("clearly fewer obstacles")
-    {
-      history.add_round(round_with(0, 5, 89), 1);
-    }
-    SECTION("clearly smaller volume of obstacles")
-    {
-      history.add_round(round_with(0, 5, 100), 0.89);
-    }
-    SECTION("rounds with fields that are too large do not count")
-    {
-      history.add_round(round_with(1, 5, 100), 1);
-    }
+    SECTION("fewer facets") history.add_round(round_with(0, 4, 100), 1);
+    SECTION("clearly fewer obstacles") history.add_round(round_with(0, 5, 89), 1);
+    SECTION("clearly smaller volume of obstacles") history.add_round(round_with(0, 5, 100), 0.89);
+    SECTION("rounds with fields that are too large do not count") history.add_round(round_with(1, 5, 100), 1);
     CHECK_FALSE(history.is_stalled());
     for(int n = 0; n < tuning.max_stalled_rounds; ++n) history.add_round(round_with(0, 5, 100), 1);
     CHECK(history.is_stalled());

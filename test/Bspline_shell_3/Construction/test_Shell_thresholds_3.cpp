@@ -1,7 +1,7 @@
 // Shell_thresholds_3.h: thresholds are as wide as requested, narrower under caps, and never narrower than the mesh
 // requires.
-#include "random_hierarchies.h"
-#include "test_meshes.h"
+#include "coefficient_functions.h"
+#include "input_of_mesh.h"
 
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
@@ -28,7 +28,7 @@ typedef Field::Cell_index Index;
 const double inf = std::numeric_limits<double>::infinity();
 constexpr CGAL::Sign sides[] = { CGAL::NEGATIVE, CGAL::POSITIVE };
 
-double asked(const Point_3&)
+double requested(const Point_3&)
 {
   return 0.5;
 }
@@ -42,28 +42,20 @@ double sign(CGAL::Sign side)
 // Cells of width 1/2 and smaller around the unit sphere, and the ranges of a bumpy function on its mesh.
 struct Problem
 {
-  BS::Input_mesh_3 input;
+  BS::Input_mesh_3 input = input_of(sphere(2));
   Field field;
   BS::Clipped_mesh_3 clipped;
   std::vector<Level_range> ranges;
 
   Problem()
   {
-    const Mesh mesh = sphere(2);
-    REQUIRE(input.build<Tag>(mesh, get(CGAL::vertex_point, mesh), {}) == BS::Shell_status::SUCCESS);
     CGAL::Random random(1);
-    Hierarchy cells(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.5, { -5, -5, -5 }, { 4, 4, 4 }),
-                               { -5, -5, -5 }, { 4, 4, 4 }));
+    Hierarchy cells(all_cells(0.5, { -5, -5, -5 }, { 4, 4, 4 }));
     for(int n = 0; n < 2; ++n) cells = cells.refined({ cells.locate(Point_3(0, 0.6, 0.8)) });
     field = Field(cells);
     REQUIRE(field.number_of_levels() == 3);
-    Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
-    for(Index n = 0; n < field.number_of_coefficients(); ++n) {
-      const CGAL::Bbox_3 b = field.support(n);
-      const double c[3] = { (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 };
-      x[n] = std::sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]) - 1 + random.get_double(-0.3, 0.3);
-    }
-    field.set_coefficients(x);
+    set_coefficients(
+      field, [&](const Point_3& p, double) { return distance(p, CGAL::ORIGIN) - 1 + random.get_double(-0.3, 0.3); });
     clipped = BS::clip_mesh_to_cells<Tag>(input, cells);
     ranges = BS::facet_ranges<Tag>(field, clipped).cell;
   }
@@ -107,7 +99,7 @@ double squared_distance(const Point_3& p, const CGAL::Bbox_3& b)
 // Returns a threshold with one cap, without a mesh.
 Field capped_once(const Field& field, double slope, Index c, CGAL::Sign side, double size)
 {
-  Thresholds thresholds(field, asked, slope);
+  Thresholds thresholds(field, requested, slope);
   thresholds.cap(c, side, sign(side) * size);
   return thresholds.threshold<Tag>(side);
 }
@@ -129,7 +121,7 @@ TEST_CASE("Shell thresholds: the mesh lies between the thresholds in every cell,
   const Problem& p = problem();
   CGAL::Random random(2);
   for(int caps : { 0, 1, 30 }) {
-    Thresholds thresholds(p.field, asked);
+    Thresholds thresholds(p.field, requested);
     thresholds.set_mesh_ranges(p.ranges);
     for(int n = 0; n < caps; ++n) {
       const CGAL::Sign side = sides[n % 2];
@@ -158,7 +150,7 @@ TEST_CASE("Shell thresholds: the mesh lies between the thresholds in every cell,
   std::vector<Level_range> wide = p.ranges;
   for(Level_range& r : wide)
     if(r.min <= r.max) r = { r.min - 0.4, r.max + 0.2 };
-  Thresholds thresholds(p.field, asked);
+  Thresholds thresholds(p.field, requested);
   thresholds.set_mesh_ranges(wide);
   const Field inner = thresholds.threshold<Tag>(CGAL::NEGATIVE), outer = thresholds.threshold<Tag>(CGAL::POSITIVE);
   for(Index c = 0; c < p.field.number_of_cells(); ++c) {
@@ -179,7 +171,7 @@ TEST_CASE("Shell thresholds: the mesh lies between the thresholds in every cell,
 TEST_CASE("Shell thresholds: a cell needs the room of all functions acting in it, as found by a search")
 {
   const Problem& p = problem();
-  Thresholds thresholds(p.field, asked);
+  Thresholds thresholds(p.field, requested);
   thresholds.set_mesh_ranges(p.ranges);
   // for each basis function, the extrema on the mesh in its support
   std::vector<Level_range> of(p.field.number_of_coefficients());
@@ -202,14 +194,14 @@ TEST_CASE("Shell thresholds: a cap applies in its cell, as far as the mesh allow
     const CGAL::Sign side = sides[n % 2];
     const Index c = p.random_cell(random);
     const double size = random.get_double(-0.1, 0.24);
-    Thresholds thresholds(p.field, asked);
+    Thresholds thresholds(p.field, requested);
     thresholds.set_mesh_ranges(p.ranges);
     thresholds.cap(c, side, sign(side) * size);
     const Level_range r = hull(thresholds.threshold<Tag>(side), c);
     const double largest = side == CGAL::POSITIVE ? r.max : -r.min, needed = sign(side) * thresholds.needed(c, side);
     CHECK(largest <= (std::max)(size, needed) + 1e-14);
     needing += needed > size;
-    Thresholds without(p.field, asked);
+    Thresholds without(p.field, requested);
     without.set_mesh_ranges(p.ranges);
     CHECK(thresholds.threshold<Tag>(CGAL::opposite(side)).coefficients()
           == without.threshold<Tag>(CGAL::opposite(side)).coefficients());
@@ -228,7 +220,7 @@ TEST_CASE("Shell thresholds: caps can be copied to other thresholds, even on fin
   const Problem& p = problem();
   CGAL::Random random(9);
   const Field finer(p.field.cells().refined({ p.random_cell(random), p.random_cell(random) }));
-  Thresholds capped(p.field, asked), again(p.field, asked), on_finer(finer, asked);
+  Thresholds capped(p.field, requested), again(p.field, requested), on_finer(finer, requested);
   for(int n = 0; n < 8; ++n)
     capped.cap(p.random_cell(random), sides[n % 2], sign(sides[n % 2]) * random.get_double(0, 0.2));
   REQUIRE(capped.caps().size() == 8);
@@ -289,9 +281,7 @@ TEST_CASE("Shell thresholds: with distance from a cap, the threshold rises to it
 TEST_CASE("Shell thresholds: the slope around a cap is bounded on cells of equal size")
 {
   CGAL::Random random(7);
-  const Field field(
-    Hierarchy(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.25, { -10, -10, -10 }, { 9, 9, 9 }),
-                         { -10, -10, -10 }, { 9, 9, 9 })));
+  const Field field(Hierarchy(all_cells(0.25, { -10, -10, -10 }, { 9, 9, 9 })));
   for(double slope : { 0.1, 0.3 })
     for(int n = 0; n < 6; ++n)
       CHECK(
@@ -322,7 +312,7 @@ TEST_CASE("Shell thresholds: several caps yield the minimum of their thresholds,
   std::vector<Cap> caps;
   for(int n = 0; n < 12; ++n) caps.push_back({ p.random_cell(random), sides[n % 2], random.get_double(-0.1, 0.2) });
   const auto capped = [&](const std::vector<Cap>& list, CGAL::Sign side) {
-    Thresholds thresholds(p.field, asked);
+    Thresholds thresholds(p.field, requested);
     thresholds.set_mesh_ranges(p.ranges);
     for(const Cap& c : list) thresholds.cap(c.cell, c.side, sign(c.side) * c.size);
     return Eigen::VectorXd(sign(side) * thresholds.threshold<Tag>(side).coefficients());
@@ -338,7 +328,7 @@ TEST_CASE("Shell thresholds: several caps yield the minimum of their thresholds,
 TEST_CASE("Shell thresholds: set_constant() yields two constant levels")
 {
   const Problem& p = problem();
-  Thresholds thresholds(p.field, asked);
+  Thresholds thresholds(p.field, requested);
   thresholds.set_mesh_ranges(p.ranges);
   thresholds.cap(0, CGAL::POSITIVE, 0);
   thresholds.set_constant({ -0.125, 0.375 });
@@ -392,7 +382,7 @@ TEST_CASE("Shell thresholds: a varying thickness is reproduced where no cap narr
 TEST_CASE("Shell thresholds: the result does not depend on the number of threads")
 {
   const Problem& p = problem();
-  Thresholds thresholds(p.field, asked);
+  Thresholds thresholds(p.field, requested);
   thresholds.set_mesh_ranges(p.ranges);
   thresholds.cap(5, CGAL::POSITIVE, 0.1);
   const Field one = thresholds.threshold<CGAL::Sequential_tag>(CGAL::POSITIVE),

@@ -19,9 +19,9 @@ typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef BS::Threshold_obstacle Obstacle;
 typedef Field::Cell_index Index;
 
-BS::Lattice_3 lattice()
+Root_cells cells()
 {
-  return BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, { -6, -6, -6 }, { 5, 5, 5 });
+  return all_cells(1, { -6, -6, -6 }, { 5, 5, 5 });
 }
 
 std::vector<Index> functions(const Field& field, Index c)
@@ -34,9 +34,9 @@ std::vector<Index> functions(const Field& field, Index c)
 
 bool share_a_function(const std::vector<Index>& a, const std::vector<Index>& b)
 {
-  std::vector<Index> both;
-  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
-  return !both.empty();
+  std::vector<Index> common;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
+  return !common.empty();
 }
 
 bool contains(const std::vector<Index>& cells, Index c)
@@ -61,8 +61,8 @@ TEST_CASE("Threshold obstacles: each cell of the obstacles is listed once")
 TEST_CASE("Culprits: a culprit shares a function with the obstacle's cell, and its range is too large on that side")
 {
   CGAL::Random random(3);
-  const Field equal(Hierarchy(some_cells(random, lattice(), { -6, -6, -6 }, { 5, 5, 5 }, 1)));
-  const Field graded(random_hierarchy(random, some_cells(random, lattice(), { -6, -6, -6 }, { 5, 5, 5 }, 1), 3, 2));
+  const Field equal{ Hierarchy(cells()) };
+  const Field graded(random_hierarchy(random, cells(), 3, 2));
   for(const Field* field : { &equal, &graded }) {
     std::vector<BS::Level_range> ranges(field->number_of_cells());
     for(BS::Level_range& r : ranges)
@@ -82,7 +82,7 @@ TEST_CASE("Culprits: a culprit shares a function with the obstacle's cell, and i
         for(Index d = 0; d < ranges.size(); ++d) {
           const bool expected = is_too_large(d) && share_a_function(here, functions(*field, d));
           missed += expected && !contains(causing_cells, d);
-          // On cells of different sizes, some causing_cells are between the cells in the supports.
+          // On cells of different sizes, some causing cells are between the cells in the supports.
           wrong += contains(causing_cells, d) && !(field == &equal ? expected : is_too_large(d));
         }
       }
@@ -95,8 +95,7 @@ TEST_CASE("Culprits: a culprit shares a function with the obstacle's cell, and i
 
 TEST_CASE("Culprits: the obstacle's own cell is the culprit if no range is too large, or the obstacle is at the mesh")
 {
-  CGAL::Random random(4);
-  const Field field(Hierarchy(some_cells(random, lattice(), { -6, -6, -6 }, { 5, 5, 5 }, 1)));
+  const Field field{ Hierarchy(cells()) };
   std::vector<BS::Level_range> ranges(field.number_of_cells(), BS::Level_range{ -0.1, 0.3 });
   CHECK(BS::causing_cells_of<Tag>(field, ranges, {}, 0.5).empty());
   CHECK(BS::causing_cells_of<Tag>(field, ranges, { obstacle(5, CGAL::NEGATIVE, 0.3) }, 0.5) == std::vector<Index>{ 5 });
@@ -108,7 +107,7 @@ TEST_CASE("Culprits: the obstacle's own cell is the culprit if no range is too l
 TEST_CASE("Culprits: the result does not depend on the number of threads")
 {
   CGAL::Random random(5);
-  const Field field(random_hierarchy(random, some_cells(random, lattice(), { -6, -6, -6 }, { 5, 5, 5 }, 1), 3, 2));
+  const Field field(random_hierarchy(random, cells(), 3, 2));
   std::vector<BS::Level_range> ranges(field.number_of_cells());
   std::vector<Obstacle> obstacles;
   for(Index c = 0; c < ranges.size(); ++c) {

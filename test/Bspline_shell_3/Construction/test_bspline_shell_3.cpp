@@ -1,5 +1,7 @@
 // bspline_shell_3.h, Bspline_shell_3.h, Named_parameters.h, Progress.h: from a mesh to its shell.
-#include "test_meshes.h"
+#include "coefficient_functions.h"
+#include "input_of_mesh.h"
+#include "shell_reports.h"
 
 #include <CGAL/Bspline_shell_3/Fit/Conjugate_gradient_solver.h>
 #include <CGAL/Bspline_shell_3/Fit/Fit_energy.h>
@@ -9,7 +11,6 @@
 
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,14 +69,15 @@ void check_shell(const Shell& shell, const Mesh& mesh)
   const double rounding = 1e-14 * shell.report().unit;
   bool in_levels = true, in_facet_ranges = true, bounded = true;
   BS::Level_range sampled;
-  for_each_point_on_mesh(mesh, shell.field().cells().width() / 10, [&](std::size_t facet, const Point_3& p) {
-    const double f = shell.field().value(p).value();
-    sampled.include(f);
-    in_levels = in_levels && f >= shell.inner_level() && f <= shell.outer_level();
-    const BS::Level_range& range = shell.facet_ranges()[facet];
-    in_facet_ranges = in_facet_ranges && f >= range.min - rounding && f <= range.max + rounding;
-    bounded = bounded && shell.bounded_side(p) != CGAL::ON_UNBOUNDED_SIDE;
-  });
+  for_each_point_on_mesh(mesh, shell.field().cells().lattice().spacing() / 10,
+                         [&](std::size_t facet, const Point_3& p) {
+                           const double f = shell.field().value(p).value();
+                           sampled.include(f);
+                           in_levels = in_levels && f >= shell.inner_level() && f <= shell.outer_level();
+                           const BS::Level_range& range = shell.facet_ranges()[facet];
+                           in_facet_ranges = in_facet_ranges && f >= range.min - rounding && f <= range.max + rounding;
+                           bounded = bounded && shell.bounded_side(p) != CGAL::ON_UNBOUNDED_SIDE;
+                         });
   CHECK(in_levels);
   CHECK(in_facet_ranges);
   CHECK(bounded);
@@ -167,40 +169,23 @@ TEST_CASE("A shell encloses its mesh")
   const auto check = [](const Mesh& mesh, double resolution) {
     check_shell(CGAL::bspline_shell_3(mesh, P::resolution(resolution)), mesh);
   };
-  SECTION("a smooth mesh")
-  {
-    check(sphere(2), 16);
-  }
-  SECTION("a mesh of polygons")
-  {
-    check(box(Point_3(0, 0, 0), Point_3(3, 2, 1), false), 16);
-  }
-  SECTION("a torus")
-  {
-    check(torus(3, 1.2, 20, 12), 16);
-  }
-  SECTION("facets larger than cells, away from the origin")
-  {
-    check(sphere(0, 2, Point_3(70, -30, 10)), 20);
-  }
-  SECTION("a demo mesh of CGAL")
-  {
-    check(demo_mesh("blobby.off"), 20);
-  }
+  SECTION("a smooth mesh") check(sphere(2), 16);
+  SECTION("a mesh of polygons") check(box(Point_3(0, 0, 0), Point_3(3, 2, 1), false), 16);
+  SECTION("a torus") check(torus(3, 1.2, 20, 12), 16);
+  SECTION("facets larger than cells, away from the origin") check(sphere(0, 2, Point_3(70, -30, 10)), 20);
+  SECTION("a demo mesh of CGAL") check(demo_mesh("blobby.off"), 20);
 }
 
 TEST_CASE("A mesh with removed facets has one facet range per remaining facet")
 {
-  Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
-  Mesh gone;
-  const auto p = gone.add_vertex(Point_3(5, 0, 0)), q = gone.add_vertex(Point_3(6, 0, 0)),
-             r = gone.add_vertex(Point_3(5, 1, 0));
-  const auto f = gone.add_face(p, q, r);
-  CGAL::copy_face_graph(mesh, gone);
-  CGAL::Euler::remove_face(gone.halfedge(f), gone);
-  REQUIRE(gone.has_garbage());
-  const Shell shell = CGAL::bspline_shell_3(gone, P::resolution(10));
-  check_shell(shell, gone);
+  Mesh mesh;
+  const auto f = mesh.add_face(mesh.add_vertex(Point_3(5, 0, 0)), mesh.add_vertex(Point_3(6, 0, 0)),
+                               mesh.add_vertex(Point_3(5, 1, 0)));
+  mesh = joined(mesh, box(Point_3(0, 0, 0), Point_3(1, 1, 1)));
+  CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  REQUIRE(mesh.has_garbage());
+  const Shell shell = CGAL::bspline_shell_3(mesh, P::resolution(10));
+  check_shell(shell, mesh);
   CHECK(shell.facet_ranges().size() == 12);
 }
 
@@ -224,26 +209,17 @@ TEST_CASE("bounded_side() places points where f equals a level on the boundary, 
 {
   // f = x - 1/2 on two cells; the levels are x = 1/2 and x = 3/4. The cell with x < 0 is not part of the shell.
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-2, -2, -2, 2, 2, 2), 1);
-  std::vector<std::uint64_t> keys;
-  for(int i : { -1, 0 }) keys.push_back(BS::Lattice_key::encode(i, 0, 0));
-  Shell::Field field(BS::Cell_complex_3(lattice, keys));
-  Eigen::VectorXd x(field.number_of_coefficients());
-  for(Shell::Field::Cell_index n = 0; n < field.number_of_coefficients(); ++n)
-    x[n] = field.functions().point(n)[0] - 0.5;
-  field.set_coefficients(x);
-  BS::Level_range levels;
-  levels.min = 0;
-  levels.max = 0.25;
-  BS::Shell_report report;
-  report.status = Status::SUCCESS;
-  const Shell shell(field, levels, { 0, 1 }, {}, report);
+  Shell::Field field(all_cells(lattice, { -1, 0, 0 }, { 0, 0, 0 }));
+  set_coefficients(field, [](const Point_3& p, double) { return p.x() - 0.5; });
+  const BS::Level_range levels{ 0, 0.25 };
+  const Shell shell(field, levels, { 0, 1 }, {}, successful_report(1));
   CHECK(shell.bounded_side(Point_3(0.5, 0.5, 0.5)) == CGAL::ON_BOUNDARY);
   CHECK(shell.bounded_side(Point_3(0.75, 0.5, 0.5)) == CGAL::ON_BOUNDARY);
   CHECK(shell.bounded_side(Point_3(0.625, 0.5, 0.5)) == CGAL::ON_BOUNDED_SIDE);
   CHECK(shell.bounded_side(Point_3(0.25, 0.5, 0.5)) == CGAL::ON_UNBOUNDED_SIDE);
   CHECK(shell.bounded_side(Point_3(0.875, 0.5, 0.5)) == CGAL::ON_UNBOUNDED_SIDE);
   CHECK(shell.bounded_side(Point_3(0.625, 2, 0.5)) == CGAL::ON_UNBOUNDED_SIDE);
-  const Shell other(field, levels, { 1, 0 }, {}, report);
+  const Shell other(field, levels, { 1, 0 }, {}, successful_report(1));
   CHECK(other.bounded_side(Point_3(0.625, 0.5, 0.5)) == CGAL::ON_UNBOUNDED_SIDE);
 }
 
@@ -257,10 +233,10 @@ TEST_CASE("resolution() and grid_spacing() can request the same cells")
   for(const Shell* shell : { &a, &b, &c, &d }) REQUIRE(*shell);
   CHECK(a.report().gamma == 16);
   CHECK(a.report().unit == 4);
-  CHECK(a.field().cells().width() == 0.25);
+  CHECK(a.field().cells().lattice().spacing() == 0.25);
   CHECK(same(a, b));
   CHECK(same(a, c));
-  CHECK(d.field().cells().width() == 0.5);
+  CHECK(d.field().cells().lattice().spacing() == 0.5);
 }
 
 TEST_CASE("The domain of the field consists of the cells of the mesh and the requested rings around them")
@@ -269,7 +245,7 @@ TEST_CASE("The domain of the field consists of the cells of the mesh and the req
   for(int rings : { 2, 3 }) {
     const Shell shell = CGAL::bspline_shell_3(mesh, P::resolution(16).number_of_rings(rings));
     REQUIRE(shell);
-    const double w = shell.field().cells().width();
+    const double w = shell.field().cells().lattice().spacing();
     // There are this many cells around the mesh, in every direction.
     bool covered = true;
     for(auto v : mesh.vertices())
@@ -334,11 +310,12 @@ TEST_CASE("A solver may be passed by value or by reference, and its failure is r
   CHECK_FALSE(failed);
   CHECK(failed.status() == Status::SOLVER_FAILED);
   CHECK(failed.report().fit.status == BS::Solver_status::NOT_CONVERGED);
+  CHECK(failed.message() == message(BS::Solver_status::NOT_CONVERGED));
 }
 
 TEST_CASE("A solver that returns zeros, garbage or a vector of the wrong size with SUCCESS is detected")
 {
-  struct Liar
+  struct Wrong_solver
   {
     BS::Solver_status compute(const Eigen::SparseMatrix<double>&, const BS::Unknown_blocks&)
     {
@@ -355,8 +332,9 @@ TEST_CASE("A solver that returns zeros, garbage or a vector of the wrong size wi
     Eigen::Index more = 0;
   };
   const Mesh mesh = sphere(1);
-  for(const Liar& liar : { Liar{ 0, 0 }, Liar{ 1, 0 }, Liar{ -1e5, 0 }, Liar{ 0, 1 }, Liar{ 0, -1 } }) {
-    const Shell shell = CGAL::bspline_shell_3(mesh, P::resolution(8).spd_solver(liar));
+  for(const Wrong_solver& solver : { Wrong_solver{ 0, 0 }, Wrong_solver{ 1, 0 }, Wrong_solver{ -1e5, 0 },
+                                     Wrong_solver{ 0, 1 }, Wrong_solver{ 0, -1 } }) {
+    const Shell shell = CGAL::bspline_shell_3(mesh, P::resolution(8).spd_solver(solver));
     CHECK(shell.status() == Status::SOLVER_FAILED);
     CHECK(shell.report().fit.status == BS::Solver_status::WRONG_SOLUTION);
   }
@@ -386,8 +364,7 @@ TEST_CASE("A signed distance given by the user replaces the distance to the mesh
   CHECK(*shifted.field().value(Point_3(0, 0, -1)) == Approx(-0.05).margin(0.01));
   // The package's own oracle can be passed, too. The result is the default one, up to rounding of distances and the
   // solver's tolerance.
-  BS::Input_mesh_3 input;
-  REQUIRE(input.build<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), {}) == Status::SUCCESS);
+  const BS::Input_mesh_3 input = input_of(mesh);
   const BS::Mesh_signed_distance_3 distance(input);
   const Shell own = CGAL::bspline_shell_3(mesh, P::resolution(10).signed_distance_oracle(std::cref(distance)));
   REQUIRE(own);
@@ -459,18 +436,7 @@ TEST_CASE("MEMORY_LIMIT_EXCEEDED is returned before the memory is allocated")
 TEST_CASE("A shell that leaves its cells is rejected if the number of rings is given, and gets more cells otherwise")
 {
   // The mesh is a flat double cone. Its rim is so sharp that f is off by many cells there.
-  const int corners = 12;
-  Mesh mesh;
-  std::vector<Mesh::Vertex_index> rim;
-  const auto top = mesh.add_vertex(Point_3(0, 0, 0.1)), bottom = mesh.add_vertex(Point_3(0, 0, -0.1));
-  for(int i = 0; i < corners; ++i) {
-    const double angle = 2 * std::acos(-1.) * i / corners;
-    rim.push_back(mesh.add_vertex(Point_3(std::cos(angle), std::sin(angle), 0)));
-  }
-  for(int i = 0; i < corners; ++i) {
-    mesh.add_face(rim[i], rim[(i + 1) % corners], top);
-    mesh.add_face(rim[(i + 1) % corners], rim[i], bottom);
-  }
+  const Mesh mesh = bipyramid(12, 1, 0.1);
   for(int rings : { 1, 2 }) {
     const Shell narrow = CGAL::bspline_shell_3(mesh, P::resolution(10).number_of_rings(rings));
     CHECK_FALSE(narrow);
@@ -488,7 +454,7 @@ TEST_CASE("A shell that leaves its cells is rejected if the number of rings is g
   CHECK(recorder.steps == expected);
 
   // At the end of the cells, the field is not between the levels.
-  const double w = shell.field().cells().width();
+  const double w = shell.field().cells().lattice().spacing();
   bool separated = true;
   for(Shell::Field::Cell_index c = 0; c < shell.field().number_of_cells(); ++c) {
     if(!shell.shell_cells()[c]) continue;
@@ -510,8 +476,7 @@ TEST_CASE("A shell that leaves its cells is rejected if the number of rings is g
   CHECK(separated);
 
   // The distance is sampled where cells are added; the fit uses all samples.
-  BS::Input_mesh_3 input;
-  REQUIRE(input.build<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), {}) == Status::SUCCESS);
+  const BS::Input_mesh_3 input = input_of(mesh);
   const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, shell.field().cells());
   const std::vector<double> samples = BS::sample_signed_distance<CGAL::Sequential_tag>(
     BS::Mesh_signed_distance_3(input), shell.field().cells());
@@ -537,11 +502,11 @@ TEST_CASE("Rejected meshes are reported with their offending facets")
   CHECK(shell.report().offending_simplices.facets.size() == 4);
   CHECK(CGAL::bspline_shell_3(Mesh()).status() == Status::EMPTY_MESH);
 
-  Mesh crossing = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
-  CGAL::copy_face_graph(box(Point_3(0.5, 0.25, 0.25), Point_3(1.5, 0.75, 0.75)), crossing);
-  const Shell refused = CGAL::bspline_shell_3(crossing, P::resolution(8));
-  CHECK(refused.status() == Status::SELF_INTERSECTION);
-  CHECK_FALSE(refused.report().offending_simplices.facets.empty());
+  const Mesh crossing = joined(box(Point_3(0, 0, 0), Point_3(1, 1, 1)),
+                               box(Point_3(0.5, 0.25, 0.25), Point_3(1.5, 0.75, 0.75)));
+  const Shell rejected = CGAL::bspline_shell_3(crossing, P::resolution(8));
+  CHECK(rejected.status() == Status::SELF_INTERSECTION);
+  CHECK_FALSE(rejected.report().offending_simplices.facets.empty());
   const Shell allowed = CGAL::bspline_shell_3(crossing, P::resolution(8).allow_self_intersections(true));
   CHECK(allowed.status() != Status::SELF_INTERSECTION);
   CHECK(allowed.report().offending_simplices.facets.empty());
@@ -554,8 +519,7 @@ TEST_CASE("The distance to another mesh can be used like any signed distance giv
   // The larger sphere meets cells that the mesh of the smaller one does not enter. Their signs must come from the
   // oracle.
   const Mesh mesh = sphere(2, 1), larger = sphere(2, 1.25);
-  BS::Input_mesh_3 input;
-  REQUIRE(input.build<CGAL::Sequential_tag>(larger, get(CGAL::vertex_point, larger), {}) == Status::SUCCESS);
+  const BS::Input_mesh_3 input = input_of(larger);
   const BS::Mesh_signed_distance_3 distance(input);
   BS::Energy_weights weights;
   weights.mu = 1e-6; // nearly interpolates the samples
@@ -624,7 +588,7 @@ TEST_CASE("A default-constructed shell is empty")
   const Shell shell;
   CHECK_FALSE(shell);
   CHECK(shell.status() == Status::NOT_BUILT);
-  for(int s = 0; s <= int(Status::CANCELED); ++s) CHECK_FALSE(std::string(BS::message(Status(s))).empty());
+  for(int s = 0; s <= int(Status::TIME_LIMIT_EXCEEDED); ++s) CHECK_FALSE(std::string(BS::message(Status(s))).empty());
 }
 
 TEST_CASE("The library prints nothing")

@@ -1,7 +1,7 @@
 // choose_resolution.h: shares of cells at known edges and folds, and the resolution that follows from them.
 #include <CGAL/Bspline_shell_3/Construction/choose_resolution.h>
 #include <CGAL/certified_bspline_shell_3.h>
-#include "test_meshes.h"
+#include "input_of_mesh.h"
 
 namespace test_choose_resolution {
 namespace {
@@ -9,23 +9,16 @@ namespace {
 namespace BS = CGAL::Bspline_shells;
 namespace parameters = CGAL::Bspline_shells::parameters;
 
-BS::Input_mesh_3 input(const Mesh& mesh)
-{
-  BS::Input_mesh_3 input;
-  REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), {}) == BS::Shell_status::SUCCESS);
-  return input;
-}
-
 template <typename Tag = CGAL::Sequential_tag>
 BS::Bend_shares shares(const Mesh& mesh, double spacing)
 {
-  const BS::Input_mesh_3 in = input(mesh);
+  const BS::Input_mesh_3 in = input_of(mesh);
   return BS::bend_shares<Tag>(in, BS::Lattice_3::off_the_ends(in.bbox(), spacing));
 }
 
 double chosen(const Mesh& mesh, double thickness)
 {
-  return BS::choose_resolution<CGAL::Sequential_tag>(input(mesh), thickness);
+  return BS::choose_resolution<CGAL::Sequential_tag>(input_of(mesh), thickness);
 }
 
 } // namespace
@@ -57,8 +50,8 @@ TEST_CASE("Resolution: cells are as wide as the mesh and the thickness allow")
   CHECK(chosen(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), 0.01) == 20);
   CHECK(chosen(box(Point_3(0, 0, 0), Point_3(7, 7, 7)), 0.07) == 20);
   CHECK(chosen(sphere(4), 0.02) == 20);
-  CHECK(chosen(demo_mesh("hole.off"), 0.01 * input(demo_mesh("hole.off")).unit()) == 24);
-  CHECK(chosen(demo_mesh("fandisk.off"), 0.01 * input(demo_mesh("fandisk.off")).unit())
+  CHECK(chosen(demo_mesh("hole.off"), 0.01 * input_of(demo_mesh("hole.off")).unit()) == 24);
+  CHECK(chosen(demo_mesh("fandisk.off"), 0.01 * input_of(demo_mesh("fandisk.off")).unit())
         == BS::resolution_tuning.finest);
   CHECK(chosen(box(Point_3(0, 0, 0), Point_3(1, 1, 0.01)), 0.01) == BS::resolution_tuning.finest);
   CHECK(chosen(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), 0.005) == BS::resolution_tuning.finest);

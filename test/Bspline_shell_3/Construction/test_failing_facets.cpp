@@ -1,7 +1,7 @@
 // failing_facets.h: facets that a field does not cross upwards, each with a place where it fails to.
 #include <CGAL/Bspline_shell_3/Construction/failing_facets.h>
 #include "polynomial_fields.h"
-#include "test_meshes.h"
+#include "input_of_mesh.h"
 
 #include <CGAL/tags.h>
 
@@ -18,15 +18,8 @@ namespace {
 // A sphere of radius 1/2, in a field whose gradient is (0, 0, 1 + 3 z^2).
 struct In_rising_field
 {
-  BS::Input_mesh_3 input;
+  BS::Input_mesh_3 input = input_of(sphere(2, 0.5));
   Hierarchical_field field = hierarchical_field({ { 1, { 0, 0, 1 } }, { 1, { 0, 0, 3 } } });
-
-  In_rising_field()
-  {
-    const Mesh mesh = sphere(2, 0.5);
-    REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), BS::Input_mesh_3::Tolerated_defects())
-            == BS::Shell_status::SUCCESS);
-  }
 
   bool faces_up(std::size_t facet) const
   {
@@ -50,10 +43,7 @@ TEST_CASE("Failing facets: exactly the facets that face away from the gradient f
     const auto t = problem.input.triangle(BS::Input_mesh_3::Face_index(f.facet));
     const Point_3 p(f.point[0], f.point[1], f.point[2]);
     CHECK(f.cell == problem.field.locate(p));
-    CHECK(std::sqrt(CGAL::squared_distance(p, Kernel::Triangle_3(Point_3(t[0].x(), t[0].y(), t[0].z()),
-                                                                 Point_3(t[1].x(), t[1].y(), t[1].z()),
-                                                                 Point_3(t[2].x(), t[2].y(), t[2].z()))))
-          < 1e-12);
+    CHECK(std::sqrt(CGAL::squared_distance(p, Kernel::Triangle_3(t[0], t[1], t[2]))) < 1e-12);
   }
   CHECK(failing.size() == failures.size());
   for(std::size_t facet = 0; facet < size; ++facet) CHECK(problem.faces_up(facet) == (failing.count(facet) == 0));

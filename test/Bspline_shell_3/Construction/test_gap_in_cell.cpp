@@ -1,7 +1,7 @@
 // gap_in_cell.h: the narrowest wall behind the part of a mesh in a cell, and the narrowest gap in front of it.
 #include <CGAL/Bspline_shell_3/Construction/gap_in_cell.h>
 #include "random_hierarchies.h"
-#include "test_meshes.h"
+#include "input_of_mesh.h"
 
 namespace test_gap_in_cell {
 namespace BS = CGAL::Bspline_shells;
@@ -9,13 +9,9 @@ namespace BS = CGAL::Bspline_shells;
 TEST_CASE("Gap in a cell: walls behind the mesh and gaps in front of it are measured in the cell, up to a limit")
 {
   // A plate of thickness 0.3. For y > 0, there is a plate of thickness 0.1 above it, at a distance of 0.2.
-  Mesh mesh = box(Point_3(-3, -3, 0.1), Point_3(3, 3, 0.4));
-  mesh += box(Point_3(-3, 0, 0.6), Point_3(3, 3, 0.7));
-  BS::Input_mesh_3 input;
-  REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), {}) == BS::Shell_status::SUCCESS);
-  CGAL::Random random(1);
-  const Hierarchy cells(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.5, { -8, -8, -8 }, { 7, 7, 7 }),
-                                   { -8, -8, -8 }, { 7, 7, 7 }));
+  const BS::Input_mesh_3 input = input_of(
+    joined(box(Point_3(-3, -3, 0.1), Point_3(3, 3, 0.4)), box(Point_3(-3, 0, 0.6), Point_3(3, 3, 0.7))));
+  const Hierarchy cells(all_cells(0.5, { -8, -8, -8 }, { 7, 7, 7 }));
   const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, cells);
   const BS::Local_gap_3 gap(input);
   const auto in_cell = [&](double y, double z, CGAL::Sign side, double most) {

@@ -5,7 +5,6 @@
 #include <CGAL/bspline_shell_3.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,22 +18,13 @@ typedef CGAL::Bspline_shell_3<> Shell;
 typedef std::function<Point_3(const Point_3&)> Map;
 
 // Returns an asymmetric body. Coordinates are multiples of 2^-20, so it can be moved far without rounding.
-Mesh lump()
+Mesh asymmetric_body()
 {
-  Mesh mesh = sphere(2);
-  for(auto v : mesh.vertices()) {
-    const Point_3& p = mesh.point(v);
+  return mapped(sphere(2), [](const Point_3& p) {
     const double r = 1 + 0.2 * p.x() * p.y() + 0.15 * p.z() * p.z() * p.x() + 0.1 * p.y();
-    const auto grid = [](double c) { return std::ldexp(std::nearbyint(std::ldexp(c, 20)), -20); };
-    mesh.point(v) = Point_3(grid(r * p.x()), grid(0.8 * r * p.y()), grid(1.2 * r * p.z()));
-  }
-  return mesh;
-}
-
-Mesh mapped(Mesh mesh, const Map& map)
-{
-  for(auto v : mesh.vertices()) mesh.point(v) = map(mesh.point(v));
-  return mesh;
+    const auto rounded = [](double c) { return std::ldexp(std::nearbyint(std::ldexp(c, 20)), -20); };
+    return Point_3(rounded(r * p.x()), rounded(0.8 * r * p.y()), rounded(1.2 * r * p.z()));
+  });
 }
 
 Map scaling(double s)
@@ -63,13 +53,11 @@ Shell tight_shell(const Mesh& mesh, double spacing)
 }
 
 // Returns points in and around the shell.
-std::vector<Point_3> probes(const Mesh& mesh, double offset)
+std::vector<Point_3> sample_points(const Mesh& mesh, double offset)
 {
   std::vector<Point_3> points;
   for(auto f : mesh.faces()) {
-    const auto h = mesh.halfedge(f);
-    const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
-                  &r = mesh.point(mesh.target(mesh.next(h)));
+    const auto [p, q, r] = corners(mesh, f);
     const Vector_3 n = CGAL::cross_product(q - p, r - p);
     const Point_3 c = CGAL::centroid(p, q, r);
     for(int side = -1; side <= 1; ++side) points.push_back(c + side * offset / std::sqrt(n.squared_length()) * n);
@@ -104,7 +92,7 @@ constexpr double rounding = 1e-7 * spacing;
 
 TEST_CASE("Scaling a mesh by a power of two scales its shell exactly")
 {
-  const Mesh mesh = lump();
+  const Mesh mesh = asymmetric_body();
   const Shell shell = CGAL::bspline_shell_3<CGAL::Sequential_tag>(mesh, P::resolution(11));
   REQUIRE(shell);
   for(int exponent : { 1, 40, -40, -190 }) {
@@ -124,8 +112,8 @@ TEST_CASE("Scaling a mesh by a power of two scales its shell exactly")
 
 TEST_CASE("Scaling a mesh by any factor scales its shell up to rounding")
 {
-  const Mesh mesh = lump();
-  const std::vector<Point_3> points = probes(mesh, spacing / 2);
+  const Mesh mesh = asymmetric_body();
+  const std::vector<Point_3> points = sample_points(mesh, spacing / 2);
   const Shell shell = tight_shell(mesh, spacing);
   for(double scale : { 1e-6, 1e6, 3. }) {
     CAPTURE(scale);
@@ -161,13 +149,13 @@ TEST_CASE("Scaling a box by any factor preserves the number of cells and the rel
 
 TEST_CASE("Moving a mesh far from the origin moves its shell up to rounding")
 {
-  Mesh mesh = lump();
+  Mesh mesh = asymmetric_body();
   // The lattice begins at the center of the box, which is rounded to fewer bits far from the origin. So the center is
   // moved to the origin first.
   const CGAL::Bbox_3 b = CGAL::Polygon_mesh_processing::bbox(mesh);
   const Vector_3 center((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2);
   mesh = mapped(mesh, [&](const Point_3& p) { return p - center; });
-  const std::vector<Point_3> points = probes(mesh, spacing / 2);
+  const std::vector<Point_3> points = sample_points(mesh, spacing / 2);
   const Shell shell = tight_shell(mesh, spacing);
   for(double distance : { std::ldexp(1., 10), std::ldexp(1., 21) }) { // up to a million times the box
     CAPTURE(distance);
@@ -185,8 +173,8 @@ TEST_CASE("Moving a mesh far from the origin moves its shell up to rounding")
 
 TEST_CASE("Rotating a mesh by right angles, or mirroring it, does the same to its shell")
 {
-  const Mesh mesh = lump();
-  const std::vector<Point_3> points = probes(mesh, spacing / 2);
+  const Mesh mesh = asymmetric_body();
+  const std::vector<Point_3> points = sample_points(mesh, spacing / 2);
   const Shell shell = tight_shell(mesh, spacing);
   const Map turn_x = [](const Point_3& p) { return Point_3(p.x(), -p.z(), p.y()); };
   const Map turn_y = [](const Point_3& p) { return Point_3(p.z(), p.y(), -p.x()); };
@@ -200,50 +188,42 @@ TEST_CASE("Rotating a mesh by right angles, or mirroring it, does the same to it
     }
   }
   const Map mirror = [](const Point_3& p) { return Point_3(-p.x(), p.y(), p.z()); };
-  Mesh mirrored = mapped(mesh, mirror);
-  CGAL::Polygon_mesh_processing::reverse_face_orientations(mirrored);
-  check_same(shell, tight_shell(mirrored, spacing), points, mirror, 1, rounding);
+  check_same(shell, tight_shell(reversed(mapped(mesh, mirror)), spacing), points, mirror, 1, rounding);
 }
 
 TEST_CASE("Sides in lattice planes do not break the symmetry of the shell")
 {
   // Two bricks of 4 x 5 x 5 cells each. Their sides are in lattice planes, which are at odd multiples of 1/4.
-  Mesh mesh = box(Point_3(-2.5, -1, -1), Point_3(-0.75, 1, 1));
-  CGAL::copy_face_graph(box(Point_3(0.75, -1, -1), Point_3(2.5, 1, 1)), mesh);
-  const std::vector<Point_3> points = probes(mesh, spacing / 2);
+  const Mesh mesh = joined(box(Point_3(-2.5, -1, -1), Point_3(-0.75, 1, 1)),
+                           box(Point_3(0.75, -1, -1), Point_3(2.5, 1, 1)));
+  const std::vector<Point_3> points = sample_points(mesh, spacing / 2);
   const Shell shell = tight_shell(mesh, spacing);
   REQUIRE(shell.report().surface_cells == 2 * (4 * 5 * 5 - 2 * 3 * 3)); // all but the inner cells
   const Map turn = [](const Point_3& p) { return Point_3(-p.y(), p.x(), p.z()); };
   const Map mirror = [](const Point_3& p) { return Point_3(-p.x(), p.y(), p.z()); };
   check_same(shell, tight_shell(mapped(mesh, turn), spacing), points, turn, 1, rounding);
-  Mesh mirrored = mapped(mesh, mirror);
-  CGAL::Polygon_mesh_processing::reverse_face_orientations(mirrored);
-  check_same(shell, tight_shell(mirrored, spacing), points, mirror, 1, rounding);
+  check_same(shell, tight_shell(reversed(mapped(mesh, mirror)), spacing), points, mirror, 1, rounding);
 }
 
 TEST_CASE("Reversing the facets of a mesh negates the field")
 {
-  Mesh mesh = lump();
-  const std::vector<Point_3> points = probes(mesh, spacing / 2);
-  Mesh hole = mapped(mesh, scaling(0.25)); // makes the mesh differ from its inside-out mesh
-  CGAL::Polygon_mesh_processing::reverse_face_orientations(hole);
-  CGAL::copy_face_graph(hole, mesh);
-  const Shell shell = tight_shell(mesh, spacing);
-  CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
-  const Shell reversed = tight_shell(mesh, spacing);
-  CHECK(reversed.report().cells == shell.report().cells);
-  CHECK(std::abs(reversed.inner_level() + shell.outer_level()) < rounding);
-  CHECK(std::abs(reversed.outer_level() + shell.inner_level()) < rounding);
+  const Mesh body = asymmetric_body(), hole = reversed(mapped(body, scaling(0.25))),
+             mesh = joined(body, hole); // with the hole, it differs from its inside-out mesh
+  const std::vector<Point_3> points = sample_points(body, spacing / 2);
+  const Shell shell = tight_shell(mesh, spacing), inverse = tight_shell(reversed(mesh), spacing);
+  CHECK(inverse.report().cells == shell.report().cells);
+  CHECK(std::abs(inverse.inner_level() + shell.outer_level()) < rounding);
+  CHECK(std::abs(inverse.outer_level() + shell.inner_level()) < rounding);
   double worst = 0;
   for(const Point_3& p : points)
-    worst = (std::max)(worst, std::abs(reversed.field().value(p).value() + shell.field().value(p).value()));
+    worst = (std::max)(worst, std::abs(inverse.field().value(p).value() + shell.field().value(p).value()));
   CHECK(worst < rounding);
   CHECK(shell.thickness() > 1e-3 * spacing); // otherwise all levels above would be equal
 }
 
 TEST_CASE("The shell is bitwise identical in every run and for any number of threads", "[slow]")
 {
-  const Mesh mesh = lump();
+  const Mesh mesh = asymmetric_body();
   const auto build = [&](auto tag) {
     typedef decltype(tag) Tag;
     CGAL::Bspline_shells::Energy_weights weights;

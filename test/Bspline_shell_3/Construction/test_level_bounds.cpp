@@ -1,10 +1,8 @@
 // Bounds of a field on edges and facets: polynomials with known extrema, and fields that are sampled in exact
 // arithmetic.
-#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
 #include "exact_spline.h"
-#include "test_meshes.h"
+#include "field_on_mesh.h"
 
 #include <CGAL/Random.h>
 
@@ -17,7 +15,6 @@ namespace test_level_bounds {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
-typedef BS::Uniform_bspline_field_3<> Field;
 typedef BS::Level_range Range;
 typedef std::array<double, 10> Nonic;
 
@@ -77,41 +74,10 @@ double largest(const Nonic& b)
   return m;
 }
 
-// A mesh, cells around it, and a field on these cells.
-struct Problem
+BS::Facet_ranges facet_ranges(const Field_on_mesh& problem)
 {
-  BS::Input_mesh_3 input;
-  BS::Clipped_mesh_3 clipped;
-  Field field;
-
-  Problem(const Mesh& mesh, const BS::Lattice_3& lattice)
-  {
-    REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), {}) == BS::Shell_status::SUCCESS);
-    REQUIRE(lattice.is_exact());
-    const std::vector<std::uint64_t> keys = BS::cells_entered_by_mesh<CGAL::Sequential_tag>(input, lattice);
-    field = Field(BS::Cell_complex_3(lattice, BS::dilate(keys, -1, 1)));
-    clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, field.cells());
-  }
-
-  // Sets the field; `coefficient` is a function of the lattice point of a basis function.
-  template <typename Function>
-  void set(const Function& coefficient)
-  {
-    Eigen::VectorXd x(field.number_of_coefficients());
-    for(Eigen::Index n = 0; n < x.size(); ++n) x[n] = coefficient(field.functions().point(Field::Cell_index(n)));
-    field.set_coefficients(x);
-  }
-  // Sets the field close to the distance from a sphere, plus noise.
-  void set_noisy_distance(const Point_3& center, double radius, double noise, int seed)
-  {
-    CGAL::Random random(seed);
-    set([&](const BS::Lattice_3::Point& g) {
-      const std::array<double, 3> p = field.cells().lattice().corner(g);
-      return std::sqrt((Point_3(p[0], p[1], p[2]) - center).squared_length()) - radius
-             + random.get_double(-noise, noise);
-    });
-  }
-};
+  return BS::facet_ranges<CGAL::Sequential_tag>(problem.field, problem.clipped);
+}
 
 CGAL::Bbox_3 around(const Point_3& p)
 {
@@ -206,9 +172,9 @@ TEST_CASE("Extrema on an edge: the range of a constant is its value")
 TEST_CASE("Facet bounds: bounds enclose exact values of the spline on the whole facet")
 {
   const Point_3 center = GENERATE(Point_3(0, 0, 0), Point_3(1e6, -1e6, 1234.5));
-  Problem problem(sphere(1, 1, center), BS::Lattice_3(around(center), 0.3));
-  problem.set_noisy_distance(center, 1, 0.05, 2);
-  const BS::Facet_ranges ranges = BS::facet_ranges<CGAL::Sequential_tag>(problem.field, problem.clipped);
+  Field_on_mesh problem(sphere(1, 1, center), BS::Lattice_3(around(center), 0.3));
+  problem.set_noisy_distance(0.05, 2, center);
+  const BS::Facet_ranges ranges = facet_ranges(problem);
   REQUIRE(ranges.facet.size() == problem.input.mesh().number_of_faces());
   const int resolution = 5;
   int outside_facet = 0, outside_mesh = 0;
@@ -238,8 +204,8 @@ TEST_CASE("Facet bounds: bounds enclose exact values of the spline on the whole 
 
 TEST_CASE("Facet bounds: the range of the mesh exceeds the attained values by at most the tolerance")
 {
-  Problem problem(sphere(1), BS::Lattice_3(around(CGAL::ORIGIN), 0.3));
-  problem.set_noisy_distance(CGAL::ORIGIN, 1, 0.05, 3);
+  Field_on_mesh problem(sphere(1), BS::Lattice_3(around(CGAL::ORIGIN), 0.3));
+  problem.set_noisy_distance(0.05, 3);
   Range sampled;
   const int resolution = 60;
   for(auto f : problem.input.mesh().faces()) {
@@ -270,9 +236,10 @@ TEST_CASE("Facet bounds: the range of the mesh exceeds the attained values by at
 TEST_CASE("Facet bounds: a peak between the edges is enclosed")
 {
   // -(u - 1/2)^2 - (v - 1/4)^2 in units of the lattice. On the top and bottom of a box, the peak is inside a piece.
-  Problem problem(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), BS::Lattice_3(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5));
-  problem.set([](const BS::Lattice_3::Point& g) {
-    const double u = g[0], v = g[1];
+  Field_on_mesh problem(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)),
+                        BS::Lattice_3(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5));
+  problem.set([](const Point_3& p) {
+    const double u = 2 * p.x(), v = 2 * p.y();
     return -(u * u - 1 / 3. - u + 0.25) - (v * v - 1 / 3. - v / 2 + 0.0625);
   });
   // the closest edges: those of lattice planes at a distance of 1/4, and the diagonal of a side, depending on its
@@ -303,12 +270,14 @@ TEST_CASE("Facet bounds: a peak between the edges is enclosed")
 
 TEST_CASE("Facet bounds: a peak is enclosed, wherever it lies on the facet")
 {
-  Problem problem(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), BS::Lattice_3(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5));
+  Field_on_mesh problem(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)),
+                        BS::Lattice_3(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5));
   CGAL::Random random(6);
   for(int n = 0; n < 30; ++n) {
     const double a = random.get_double(-2, 2), b = random.get_double(-2, 2);
-    problem.set([&](const BS::Lattice_3::Point& g) {
-      return -(g[0] * g[0] - 1 / 3. - 2 * a * g[0] + a * a) - (g[1] * g[1] - 1 / 3. - 2 * b * g[1] + b * b);
+    problem.set([&](const Point_3& p) {
+      const double u = 2 * p.x(), v = 2 * p.y();
+      return -(u * u - 1 / 3. - 2 * a * u + a * a) - (v * v - 1 / 3. - 2 * b * v + b * b);
     });
     const double tolerance = 1e-9,
                  lowest = -(2 + std::abs(a)) * (2 + std::abs(a)) - (2 + std::abs(b)) * (2 + std::abs(b));
@@ -324,16 +293,13 @@ TEST_CASE("Facet bounds: a peak is enclosed, wherever it lies on the facet")
 TEST_CASE("Facet bounds: the bounds of a linear field are its values at the vertices")
 {
   const Mesh mesh = sphere(1);
-  Problem problem(mesh, BS::Lattice_3(around(CGAL::ORIGIN), 0.3));
+  Field_on_mesh problem(mesh, BS::Lattice_3(around(CGAL::ORIGIN), 0.3));
   const Vector_3 d(1, -2, 3);
-  problem.set([&](const BS::Lattice_3::Point& g) {
-    const std::array<double, 3> p = problem.field.cells().lattice().corner(g);
-    return d * Vector_3(p[0], p[1], p[2]);
-  });
+  problem.set([&](const Point_3& p) { return d * (p - CGAL::ORIGIN); });
   // allowances of Piece_in_cell and Form_error: values are up to 10, and vary by 2 in a cell; coordinates are up to 4
   // spacings
   const double allowance = eps * (57 * 10 + 9 * 2 * (64 * 5 + 32));
-  const BS::Facet_ranges ranges = BS::facet_ranges<CGAL::Sequential_tag>(problem.field, problem.clipped);
+  const BS::Facet_ranges ranges = facet_ranges(problem);
   Range whole;
   std::size_t n = 0;
   for(auto f : problem.input.mesh().faces()) {
@@ -356,9 +322,13 @@ TEST_CASE("Facet bounds: the allowance for rounding is necessary and sufficient"
   // The field is linear, far from the origin. Coefficients of the form are values of the field, so there is no slack
   // between them.
   const Point_3 center(1e6, -1e6, 1234.5);
-  Problem problem(sphere(2, 1, center), BS::Lattice_3(around(center), 0.3));
-  problem.set([&](const BS::Lattice_3::Point& g) { return g[0] + 0.7 * g[1] - 0.3 * g[2] + 100.1; });
-  const BS::Facet_ranges ranges = BS::facet_ranges<CGAL::Sequential_tag>(problem.field, problem.clipped);
+  Field_on_mesh problem(sphere(2, 1, center), BS::Lattice_3(around(center), 0.3));
+  const BS::Lattice_3& lattice = problem.field.cells().lattice();
+  problem.set([&](const Point_3& p) {
+    const auto g = [&](int a) { return (p[a] - lattice.origin()[std::size_t(a)]) / lattice.spacing(); };
+    return g(0) + 0.7 * g(1) - 0.3 * g(2) + 100.1;
+  });
+  const BS::Facet_ranges ranges = facet_ranges(problem);
   int outside = 0, beyond_values = 0;
   std::size_t n = 0;
   for(auto f : problem.input.mesh().faces()) {
@@ -377,10 +347,10 @@ TEST_CASE("Facet bounds: the allowance for rounding is necessary and sufficient"
 
 TEST_CASE("Facet bounds: the result does not depend on the number of threads")
 {
-  Problem problem(sphere(2), BS::Lattice_3(around(CGAL::ORIGIN), 0.1));
+  Field_on_mesh problem(sphere(2), BS::Lattice_3(around(CGAL::ORIGIN), 0.1));
   REQUIRE(problem.clipped.number_of_pieces() > 3000); // several chunks
-  problem.set_noisy_distance(CGAL::ORIGIN, 1, 0.01, 4);
-  const BS::Facet_ranges a = BS::facet_ranges<CGAL::Sequential_tag>(problem.field, problem.clipped);
+  problem.set_noisy_distance(0.01, 4);
+  const BS::Facet_ranges a = facet_ranges(problem);
   const BS::Facet_ranges b = BS::facet_ranges<CGAL::Parallel_if_available_tag>(problem.field, problem.clipped);
   CHECK((a.mesh.min == b.mesh.min && a.mesh.max == b.mesh.max));
   int different = 0;
@@ -409,10 +379,7 @@ TEST_CASE("Level range: a range is empty until it includes a value")
 TEST_CASE("Rounding of thresholds: thresholds are rounded outwards, at most to the next multiple")
 {
   const auto check = [](double x, double y, double quantum) {
-    Range range;
-    range.min = x;
-    range.max = y;
-    const Range r = BS::round_outwards(range, quantum);
+    const Range r = BS::round_outwards({ x, y }, quantum);
     CAPTURE(x, y, quantum);
     CHECK(r.min <= x);
     CHECK(r.max >= y);
@@ -440,12 +407,8 @@ TEST_CASE("Rounding of thresholds: thresholds are rounded outwards, at most to t
 
 TEST_CASE("Rounding of thresholds: multiples are unchanged")
 {
-  Range range;
-  range.min = -0.375;
-  range.max = 1.25;
-  const Range r = BS::round_outwards(range, 0.125);
+  const Range r = BS::round_outwards({ -0.375, 1.25 }, 0.125), s = BS::round_outwards({ -0.375, 1.25 }, 1);
   CHECK((r.min == -0.375 && r.max == 1.25));
-  const Range s = BS::round_outwards(range, 1);
   CHECK((s.min == -1 && s.max == 2));
 }
 } // namespace test_level_bounds

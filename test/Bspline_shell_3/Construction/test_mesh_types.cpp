@@ -75,7 +75,7 @@ TEST_CASE("Mesh types: a Polyhedron_3 has the same shell, with facet ranges in i
   REQUIRE(shell);
   REQUIRE(shell.facet_ranges().size() == polyhedron.size_of_facets());
   // Facets may begin at another corner, which changes quadrature: see test_invariance.cpp.
-  const double tolerance = 1e-3 * shell.field().cells().width();
+  const double tolerance = 1e-3 * shell.field().cells().lattice().spacing();
   CHECK(shell.report().cells == reference().report().cells);
   CHECK(std::abs(shell.inner_level() - reference().inner_level()) < tolerance);
   CHECK(std::abs(shell.outer_level() - reference().outer_level()) < tolerance);
@@ -115,10 +115,10 @@ TEST_CASE("Mesh types: offending simplices of a Polyhedron_3 are positions in it
     if(std::find(neighbors.begin(), neighbors.end(), f) != neighbors.end()) expected.push_back(n);
     ++n;
   }
-  const Shell refused = CGAL::bspline_shell_3<Tag>(open, P::resolution(10));
-  CHECK(refused.status() == BS::Shell_status::OPEN_MESH);
+  const Shell rejected = CGAL::bspline_shell_3<Tag>(open, P::resolution(10));
+  CHECK(rejected.status() == BS::Shell_status::OPEN_MESH);
   CHECK(expected.size() == 4);
-  CHECK(refused.report().offending_simplices.facets == expected);
+  CHECK(rejected.report().offending_simplices.facets == expected);
 }
 
 TEST_CASE("Mesh types: lazy coordinates are rounded by their exact values, however they were computed")
@@ -151,7 +151,7 @@ TEST_CASE("Mesh types: the vertex point map is used at any position among the na
   check_identical(reference(), CGAL::bspline_shell_3<Tag>(mesh, P::vertex_point_map(vpm).resolution(10)));
   check_identical(reference(), CGAL::bspline_shell_3<Tag>(
                                  mesh, P::number_of_rings(2).vertex_point_map(vpm).memory_limit(1e9).resolution(10)));
-  const double spacing = reference().field().cells().width();
+  const double spacing = reference().field().cells().lattice().spacing();
   const Shell by_spacing = CGAL::bspline_shell_3<Tag>(mixed_mesh<Mesh>(), P::grid_spacing(spacing));
   check_identical(by_spacing,
                   CGAL::bspline_shell_3<Tag>(mesh, CGAL::parameters::vertex_point_map(vpm).grid_spacing(spacing)));

@@ -3,7 +3,6 @@
 #include "random_hierarchies.h"
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Random.h>
 
 #include <catch2/catch.hpp>
 
@@ -24,9 +23,7 @@ constexpr std::size_t cells_at_mesh = 1000;
 // Returns a block of 7 x 7 x 7 cells of the same size.
 Hierarchy block()
 {
-  CGAL::Random random(1);
-  const BS::Lattice_3 lattice(CGAL::Bbox_3(-4, -4, -4, 4, 4, 4), 1);
-  return Hierarchy(some_cells(random, lattice, { -3, -3, -3 }, { 3, 3, 3 }));
+  return Hierarchy(all_cells(BS::Lattice_3(CGAL::Bbox_3(-4, -4, -4, 4, 4, 4), 1), { -3, -3, -3 }, { 3, 3, 3 }));
 }
 
 Index cell_at(const Hierarchy& cells, const Lattice_point& p)
@@ -118,7 +115,7 @@ TEST_CASE("Refinement plan: the fewer cells have obstacles, the more neighbors a
 TEST_CASE("Refinement plan: the treatment of obstacles depends on their kind")
 {
   const Hierarchy cells = block();
-  const Index obstacle = cell_at(cells, { 0, 0, 0 }), culprit = cell_at(cells, { 2, 0, 0 }),
+  const Index obstacle = cell_at(cells, { 0, 0, 0 }), cause = cell_at(cells, { 2, 0, 0 }),
               thick = cell_at(cells, { 0, 3, 0 });
   BS::Round_findings found;
   found.obstacles = obstacles_in({ obstacle, obstacle });
@@ -141,21 +138,21 @@ TEST_CASE("Refinement plan: the treatment of obstacles depends on their kind")
     CHECK(plan.at_gaps.empty());
     CHECK(plan.with_larger_weights.empty());
   }
-  SECTION("at narrow gaps, causing_cells are split instead, and the next field is pulled to zero in both cells")
+  SECTION("at narrow gaps, causing cells are split instead, and the next field is pulled to zero in both cells")
   {
     found.kind = Obstacle_kind::NARROW_GAPS;
-    found.causing_cells = { culprit };
+    found.causing_cells = { cause };
     found.similar = { thick };
     const BS::Refinement_plan plan = plan_for(cells, found);
-    CHECK(plan.split == Cells{ culprit });
-    CHECK(plan.at_gaps == Cells{ culprit });
+    CHECK(plan.split == Cells{ cause });
+    CHECK(plan.at_gaps == Cells{ cause });
     CHECK(plan.similar == Cells{ thick });
     CHECK(std::is_permutation(plan.with_larger_weights.begin(), plan.with_larger_weights.end(),
-                              Cells{ obstacle, culprit }.begin()));
+                              Cells{ obstacle, cause }.begin()));
   }
 }
 
-TEST_CASE("Refinement plan: at narrow gaps, cells with obstacles are refined if causing_cells are on the last level")
+TEST_CASE("Refinement plan: at narrow gaps, cells with obstacles are refined if causing cells are on the last level")
 {
   Hierarchy cells = block();
   while(cells.number_of_levels() <= cells.max_level())

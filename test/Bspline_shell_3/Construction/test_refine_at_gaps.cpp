@@ -1,6 +1,7 @@
 // refine_at_gaps.h: requested cells are refined until they are nearly as narrow as the gap, and no others.
 #include <CGAL/Bspline_shell_3/Construction/refine_at_gaps.h>
-#include "test_meshes.h"
+#include "random_hierarchies.h"
+#include "input_of_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,26 +13,18 @@ namespace test_refine_at_gaps {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
-typedef BS::Cell_hierarchy_3 Hierarchy;
 typedef Hierarchy::Index Index;
 
 const auto no_limit = [](std::size_t) { return false; };
 
 BS::Input_mesh_3 plate(double thickness)
 {
-  const Mesh mesh = box(Point_3(0.5, 0.5, 1.5 - thickness / 2), Point_3(7.5, 7.5, 1.5 + thickness / 2));
-  BS::Input_mesh_3 input;
-  REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), {}) == BS::Shell_status::SUCCESS);
-  return input;
+  return input_of(box(Point_3(0.5, 0.5, 1.5 - thickness / 2), Point_3(7.5, 7.5, 1.5 + thickness / 2)));
 }
 
 Hierarchy cells_of_width_one()
 {
-  std::vector<std::uint64_t> keys;
-  for(int k = -4; k < -1; ++k)
-    for(int j = -4; j < 4; ++j)
-      for(int i = -4; i < 4; ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
-  return Hierarchy(BS::Cell_complex_3(BS::Lattice_3(CGAL::Bbox_3(0, 0, 0, 8, 8, 8), 1), keys));
+  return Hierarchy(all_cells(BS::Lattice_3(CGAL::Bbox_3(0, 0, 0, 8, 8, 8), 1), { -4, -4, -4 }, { 3, 3, -2 }));
 }
 
 bool are_equal(const Hierarchy& a, const Hierarchy& b)

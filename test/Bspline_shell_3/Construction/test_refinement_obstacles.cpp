@@ -1,7 +1,7 @@
 // refinement_obstacles.h: walls and gaps at places that block a proof, narrowest first, and messages about them.
 #include <CGAL/Bspline_shell_3/Construction/refinement_obstacles.h>
 #include "random_hierarchies.h"
-#include "test_meshes.h"
+#include "input_of_mesh.h"
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <algorithm>
@@ -24,16 +24,11 @@ typedef Hierarchy::Index Index;
 TEST_CASE("Obstacles: the narrower of wall and gap is reported unless it is far wider than the cell, narrowest first")
 {
   // A plate of thickness 0.3 at z = 1. For y > 0, there is a plate of thickness 0.6 above it, at a distance of 0.2.
-  Mesh mesh = box(Point_3(-3, -3, 1), Point_3(3, 3, 1.3));
-  mesh += box(Point_3(-3, 0, 1.5), Point_3(3, 3, 2.1));
-  BS::Input_mesh_3 input;
-  REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), {}) == BS::Shell_status::SUCCESS);
-  CGAL::Random random(1);
+  const BS::Input_mesh_3 input = input_of(
+    joined(box(Point_3(-3, -3, 1), Point_3(3, 3, 1.3)), box(Point_3(-3, 0, 1.5), Point_3(3, 3, 2.1))));
   const auto cells_of_width = [&](double width) {
     const int n = int(4 / width);
-    return Hierarchy(some_cells(random,
-                                BS::Lattice_3::from_origin({ 0, 0, 0 }, width, { -n, -n, -n }, { n - 1, n - 1, n - 1 }),
-                                { -n, -n, -n }, { n - 1, n - 1, n - 1 }));
+    return Hierarchy(all_cells(width, { -n, -n, -n }, { n - 1, n - 1, n - 1 }));
   };
   const Hierarchy cells = cells_of_width(0.25);
   const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, cells);
@@ -84,7 +79,7 @@ TEST_CASE("Obstacles: if a limit ends refinement, the report has the wall, its l
   CHECK(wrong == 0);
   CHECK(obstacles.front().gap == Approx(thickness).epsilon(1e-6));
   CHECK(std::is_sorted(obstacles.begin(), obstacles.end(), [](const auto& a, const auto& b) { return a.gap < b.gap; }));
-  const std::string sentence = message(obstacles.front(), shell.report().unit);
+  const std::string sentence = message(obstacles.front(), shell.report().unit, shell.report().refinement);
   CHECK(sentence.find("The wall at ") == 0);
   CHECK(sentence.find(" is 0.2 % of the bounding box thick, and cells are ") != std::string::npos);
   CHECK(sentence.find(" wide; cells of 0.1 % may be needed.") != std::string::npos);
@@ -100,12 +95,20 @@ TEST_CASE("Obstacles: messages name a gap or a wall, or the missing proof if not
   BS::Refinement_obstacle o;
   o.point = { 1, 2, 3 };
   o.cell_width = 0.5;
-  CHECK(message(o, 10) == "The proof fails at 1 2 3, where cells are 5 % of the bounding box wide.");
+  const auto sentence = [&o](BS::Refinement_status refinement) { return BS::message(o, 10, refinement); };
+  using BS::Refinement_status;
+  CHECK(sentence(Refinement_status::LIMIT_REACHED)
+        == "The proof fails at 1 2 3, where cells are 5 % of the bounding box wide.");
   o.gap = 0.1;
-  CHECK(message(o, 10)
+  CHECK(sentence(Refinement_status::LIMIT_REACHED)
         == "The gap at 1 2 3 is 1 % of the bounding box wide, and cells are 5 % wide; cells of 0.5 % may be needed.");
+  // Smaller cells made no progress, so they are not suggested.
+  CHECK(sentence(Refinement_status::NO_PROGRESS)
+        == "The gap at 1 2 3 is 1 % of the bounding box wide, and cells are 5 % wide: remove it if it is an error of "
+           "the mesh, or try a smaller thickness there (sizing).");
   o.is_wall = true;
   o.gap = 1;
-  CHECK(message(o, 10) == "The wall at 1 2 3 is 10 % of the bounding box thick, and cells are 5 % wide.");
+  CHECK(sentence(Refinement_status::NO_PROGRESS)
+        == "The wall at 1 2 3 is 10 % of the bounding box thick, and cells are 5 % wide.");
 }
 } // namespace test_refinement_obstacles

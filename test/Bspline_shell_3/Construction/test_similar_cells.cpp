@@ -58,11 +58,7 @@ TEST_CASE("Similar cells: similar cells are reached through equal cells with sim
   CGAL::Random random(3);
   std::size_t most = 0;
   for(int trial = 0; trial < 12; ++trial) {
-    const Hierarchy cells = random_hierarchy(
-      random,
-      some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, { 0, 0, 0 }, { 4, 4, 2 }), { 0, 0, 0 },
-                 { 4, 4, 2 }),
-      2, 2);
+    const Hierarchy cells = random_hierarchy(random, all_cells(1, { 0, 0, 0 }, { 4, 4, 2 }), 2, 2);
     Ranges ranges(cells.number_of_cells());
     for(BS::Level_range& r : ranges)
       if(random.get_double() < 0.7) r.include(random.get_double(-1, 1)); // the other cells have no part of the mesh
@@ -76,8 +72,7 @@ TEST_CASE("Similar cells: similar cells are reached through equal cells with sim
     most = (std::max)(most, similar.size());
   }
   CHECK(most > 10);
-  const Hierarchy cells(
-    some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, { 0, 0, 0 }, { 4, 4, 2 }), { 0, 0, 0 }, { 4, 4, 2 }));
+  const Hierarchy cells(all_cells(1, { 0, 0, 0 }, { 4, 4, 2 }));
   CHECK(BS::similar_cells(cells, Ranges(cells.number_of_cells()), {}).empty());
 }
 } // namespace test_similar_cells

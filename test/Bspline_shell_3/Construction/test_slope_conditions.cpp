@@ -2,7 +2,7 @@
 // facets.
 #include <CGAL/Bspline_shell_3/Construction/slope_conditions.h>
 #include "random_hierarchies.h"
-#include "test_meshes.h"
+#include "input_of_mesh.h"
 
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 
@@ -31,16 +31,10 @@ struct In_cells
   BS::Clipped_mesh_3 clipped;
 
   // Clips a mesh to cells between -4 and 4. Their width is a power of two.
-  In_cells(const Mesh& mesh, double width = 0.5)
+  In_cells(const Mesh& mesh, double width = 0.5) : input(input_of(mesh))
   {
-    BS::Input_mesh_3::Tolerated_defects tolerated;
-    tolerated.singular_vertices = true;
-    REQUIRE(input.build<Tag>(mesh, mesh.points(), tolerated) == BS::Shell_status::SUCCESS);
-    CGAL::Random random(1);
     const int n = int(4 / width);
-    field = Field(Hierarchy(
-      some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, width, { -n, -n, -n }, { n - 1, n - 1, n - 1 }),
-                 { -n, -n, -n }, { n - 1, n - 1, n - 1 })));
+    field = Field(Hierarchy(all_cells(width, { -n, -n, -n }, { n - 1, n - 1, n - 1 })));
     clipped = BS::clip_mesh_to_cells<Tag>(input, field.cells());
   }
 

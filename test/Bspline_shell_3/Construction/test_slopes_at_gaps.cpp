@@ -1,7 +1,7 @@
 // slopes_at_gaps.h: slopes that a field can have on cells wider than a wall, compared with a field that attains them.
 #include <CGAL/Bspline_shell_3/Construction/slopes_at_gaps.h>
 #include "random_hierarchies.h"
-#include "test_meshes.h"
+#include "input_of_mesh.h"
 
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 
@@ -22,16 +22,11 @@ typedef Hierarchy::Index Index;
 TEST_CASE(
   "Slopes at gaps: the limit is a quarter of the slope of a parabola across the wall, and infinite at wide walls")
 {
-  CGAL::Random random(1);
   for(double width : { 0.25, 0.5, 1. })
     for(double thickness : { 0.4, 0.1, 0.001 }) {
-      const Mesh mesh = box(Point_3(-3, -3, 0.2), Point_3(3, 3, 0.2 + thickness));
-      BS::Input_mesh_3 input;
-      REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), {}) == BS::Shell_status::SUCCESS);
+      const BS::Input_mesh_3 input = input_of(box(Point_3(-3, -3, 0.2), Point_3(3, 3, 0.2 + thickness)));
       const int n = int(4 / width);
-      const Hierarchy cells(
-        some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, width, { -n, -n, -n }, { n - 1, n - 1, n - 1 }),
-                   { -n, -n, -n }, { n - 1, n - 1, n - 1 }));
+      const Hierarchy cells(all_cells(width, { -n, -n, -n }, { n - 1, n - 1, n - 1 }));
       const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<CGAL::Sequential_tag>(input, cells);
       const BS::Local_gap_3 gap(input);
       const Index below = cells.locate(Point_3(1.1, 1.2, 0.2)), empty = cells.locate(Point_3(1.1, 1.2, 2.2));

@@ -2,7 +2,7 @@
 // compared with a sum over cells.
 #include <CGAL/Bspline_shell_3/Construction/thickness_on_mesh.h>
 #include "random_hierarchies.h"
-#include "test_meshes.h"
+#include "input_of_mesh.h"
 
 #include <CGAL/Bspline_shell_3/Construction/Shell_thresholds_3.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
@@ -25,23 +25,19 @@ typedef Field::Cell_index Index;
 TEST_CASE(
   "Thickness on a mesh: the largest thickness is as requested, and the narrowed area covers the cells near a cap")
 {
-  const Mesh mesh = sphere(3);
-  BS::Input_mesh_3 input;
-  REQUIRE(input.build<Tag>(mesh, get(CGAL::vertex_point, mesh), {}) == BS::Shell_status::SUCCESS);
-  CGAL::Random random(1);
-  const Field field(Hierarchy(some_cells(
-    random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.25, { -8, -8, -8 }, { 7, 7, 7 }), { -8, -8, -8 }, { 7, 7, 7 })));
+  const BS::Input_mesh_3 input = input_of(sphere(3));
+  const Field field(Hierarchy(all_cells(0.25, { -8, -8, -8 }, { 7, 7, 7 })));
   const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<Tag>(input, field.cells());
-  const double asked = 0.25;
-  BS::Shell_thresholds_3<Field> thresholds(field, [&](const Point_3&) { return asked; });
+  const double requested = 0.25;
+  BS::Shell_thresholds_3<Field> thresholds(field, [&](const Point_3&) { return requested; });
   const auto thickness = [&](double wanted) {
     return BS::thickness_on_mesh(clipped, Threshold(thresholds.threshold<Tag>(CGAL::NEGATIVE)),
                                  Threshold(thresholds.threshold<Tag>(CGAL::POSITIVE)), [&](Index) { return wanted; });
   };
-  CHECK(thickness(asked).largest == Approx(asked));
-  CHECK(thickness(asked).narrowed_area == 0);
-  CHECK(thickness(asked * 1.005).narrowed_area == 0);
-  CHECK(thickness(asked * 1.02).narrowed_area == 1);
+  CHECK(thickness(requested).largest == Approx(requested));
+  CHECK(thickness(requested).narrowed_area == 0);
+  CHECK(thickness(requested * 1.005).narrowed_area == 0);
+  CHECK(thickness(requested * 1.02).narrowed_area == 1);
 
   thresholds.cap(field.locate(Point_3(0.95, 0.1, 0.1)), CGAL::POSITIVE, 0.05);
   const Field inner = thresholds.threshold<Tag>(CGAL::NEGATIVE), outer = thresholds.threshold<Tag>(CGAL::POSITIVE);
@@ -51,10 +47,10 @@ TEST_CASE(
     for(int n = 0; n < 64; ++n)
       least = (std::min)(least, outer.cell(piece.cell).coefficients()[n] - inner.cell(piece.cell).coefficients()[n]);
     area += clipped.area(piece);
-    if(least < 0.99 * asked) narrow += clipped.area(piece);
+    if(least < 0.99 * requested) narrow += clipped.area(piece);
   }
-  const BS::Thickness_on_mesh capped = thickness(asked);
-  CHECK(capped.largest == Approx(asked));
+  const BS::Thickness_on_mesh capped = thickness(requested);
+  CHECK(capped.largest == Approx(requested));
   CHECK(capped.narrowed_area == Approx(narrow / area));
   CHECK(capped.narrowed_area > 0.05);
   CHECK(capped.narrowed_area < 0.95);

@@ -131,8 +131,7 @@ TEST_CASE("Cancellation: a shell can be canceled at any poll of any step, and is
   REQUIRE(shell.is_certified());
   for(std::size_t polls : visitor.polls_of_step) CHECK(polls > 1);
   sweep(visitor.polls, [&](std::size_t n) {
-    Impatient_visitor impatient;
-    impatient.most = n;
+    Impatient_visitor impatient{ n };
     const Shell canceled = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(
       mesh, parameters::visitor(std::ref(impatient)));
     CHECK(canceled.status() == Status::CANCELED);
@@ -147,12 +146,10 @@ TEST_CASE("Cancellation: uniform shells, and shells built by several threads, ca
   const Mesh mesh = sphere(2);
   // Each step begins with a poll of the calling thread. The number of further polls depends on the other threads.
   for(std::size_t n : { 1, 4 }) {
-    Impatient_visitor impatient;
-    impatient.most = n;
+    Impatient_visitor impatient{ n };
     CHECK(CGAL::bspline_shell_3(mesh, parameters::resolution(20).visitor(std::ref(impatient))).status()
           == Status::CANCELED);
-    impatient = {};
-    impatient.most = n;
+    impatient = { n };
     CHECK(CGAL::certified_bspline_shell_3(mesh, parameters::visitor(std::ref(impatient))).status() == Status::CANCELED);
     CHECK(impatient.polls == n);
   }
@@ -191,8 +188,7 @@ TEST_CASE("Cancellation: a proxy can be canceled at any poll, within the wrap, i
   REQUIRE(of_soup(visitor).is_certified());
   std::size_t in_wrap = 0;
   sweep(visitor.polls, [&](std::size_t n) {
-    Impatient_visitor impatient;
-    impatient.most = n;
+    Impatient_visitor impatient{ n };
     const BS::Soup_proxy_3 canceled = of_soup(impatient);
     CHECK(canceled.status() == Status::CANCELED);
     CHECK_FALSE(canceled.is_certified());

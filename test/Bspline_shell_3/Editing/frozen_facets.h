@@ -14,36 +14,20 @@
 #include <string>
 #include <vector>
 
-// Returns a sphere of slices around its axis, in `turns` turns. Triangles are thinner closer to the poles, which are
-// the first two vertices. With two turns, the sphere is covered twice: all facets face outwards, but the fans at the
-// poles wind twice.
-inline Mesh sliced_sphere(int slices, int rings, int turns = 1)
+// Returns a shell with additional room around its mesh.
+template <typename Shell>
+Shell widened(const Shell& shell, double room)
 {
-  Mesh mesh;
-  const double pi = std::acos(-1.);
-  const auto north = mesh.add_vertex(Point_3(0, 0, 1)), south = mesh.add_vertex(Point_3(0, 0, -1));
-  std::vector<Mesh::Vertex_index> v;
-  for(int i = 1; i < rings; ++i)
-    for(int j = 0; j < slices; ++j) {
-      const double a = pi * i / rings, b = 2 * pi * turns * j / slices;
-      v.push_back(mesh.add_vertex(Point_3(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a))));
-    }
-  const auto at = [&](int i, int j) { return v[(i - 1) * slices + j % slices]; };
-  for(int j = 0; j < slices; ++j) {
-    mesh.add_face(north, at(1, j), at(1, j + 1));
-    mesh.add_face(south, at(rings - 1, j + 1), at(rings - 1, j));
-    for(int i = 1; i + 1 < rings; ++i) {
-      mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
-      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
-    }
-  }
-  return mesh;
+  return Shell(shell.field(),
+               CGAL::Bspline_shells::Level_range{ shell.inner_level() - room, shell.outer_level() + room },
+               std::vector<char>(shell.field().number_of_cells(), 1), shell.facet_ranges(), shell.report());
 }
 
-inline std::array<Point_3, 3> corners(const Mesh& mesh, Mesh::Face_index f)
+template <typename Oracle>
+bool is_accepted(const Oracle& oracle, const Mesh& mesh, Mesh::Face_index f)
 {
-  const auto h = mesh.halfedge(f);
-  return { { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) } };
+  const std::array<Point_3, 3> t = corners(mesh, f);
+  return oracle(t[0], t[1], t[2]) == CGAL::Bspline_shells::Placement_verdict::ACCEPTED;
 }
 
 // Checks the guarantees for a mesh with frozen facets, with a separate oracle. Frozen facets are unchanged, all other
@@ -75,17 +59,9 @@ void check_frozen_result(const CGAL::Bspline_shells::Edit_report& report, const 
   }
   const Shell_facet_oracle_3<typename Shell::Field, typename Shell::Threshold> oracle(shell);
   std::size_t rejected = 0, folded = 0;
-  for(auto f : facets) {
-    const auto c = corners(mesh, f);
-    rejected += frozen.count(f) == 0 && oracle(c[0], c[1], c[2]) != Placement_verdict::ACCEPTED;
-  }
-  for(auto v : mesh.vertices()) {
-    if(vertices.count(v) > 0) continue;
-    std::vector<Point_3> link;
-    for(auto h : CGAL::halfedges_around_target(v, mesh)) link.push_back(mesh.point(mesh.source(h)));
-    std::reverse(link.begin(), link.end());
-    folded += oracle.winding_number(mesh.point(v), link) != 1;
-  }
+  for(auto f : facets) rejected += frozen.count(f) == 0 && !is_accepted(oracle, mesh, f);
+  for(auto v : mesh.vertices())
+    if(vertices.count(v) == 0) folded += oracle.winding_number(mesh.point(v), link_of(mesh, v)) != 1;
   CHECK(rejected == 0);
   CHECK(folded == 0);
 }

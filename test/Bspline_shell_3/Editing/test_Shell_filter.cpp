@@ -1,6 +1,6 @@
 // Shell_filter.h, Shell_facet_oracle_3.h, Collapse_visitor.h: placements that leave the shell, face away or wind twice
 // are rejected for that reason. Accepted placements are proved.
-#include "test_meshes.h"
+#include "frozen_facets.h"
 
 #include <CGAL/Bspline_shell_3/Editing/Collapse_visitor.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
@@ -44,10 +44,7 @@ const Shell& tight_shell()
 // Returns a shell with room around its mesh.
 const Shell& shell()
 {
-  static const Shell shell(tight_shell().field(),
-                           BS::Level_range{ tight_shell().inner_level() - 0.08, tight_shell().outer_level() + 0.08 },
-                           std::vector<char>(tight_shell().field().number_of_cells(), 1), tight_shell().facet_ranges(),
-                           tight_shell().report());
+  static const Shell shell = widened(tight_shell(), 0.08);
   return shell;
 }
 
@@ -57,31 +54,12 @@ const Oracle& oracle()
   return oracle;
 }
 
-std::vector<Point_3> link_of(const Mesh& mesh, Mesh::Vertex_index v)
-{
-  std::vector<Point_3> link;
-  for(auto h : CGAL::halfedges_around_target(v, mesh)) link.push_back(mesh.point(mesh.source(h)));
-  std::reverse(link.begin(), link.end());
-  return link;
-}
-
-Placement_verdict judge(const Point_3& p, const std::vector<Point_3>& link)
+Placement_verdict verdict_on(const Point_3& p, const std::vector<Point_3>& link)
 {
   Oracle::Memory memory;
   const Placement_verdict verdict = oracle()(p, link, memory);
   CHECK(oracle()(p, link, memory) == verdict); // the verdict does not depend on the cache
   return verdict;
-}
-
-// Returns points around the north pole of the unit sphere, in the given order.
-std::vector<Point_3> polar_link(std::initializer_list<int> order, double radius)
-{
-  std::vector<Point_3> link;
-  for(int n : order) {
-    const double angle = 2 * CGAL_PI * n / double(order.size());
-    link.push_back(Point_3(radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1 - radius * radius)));
-  }
-  return link;
 }
 
 struct Edge_count_stop
@@ -125,65 +103,23 @@ TEST_CASE("Facet oracle: invalid stars are rejected for the right reason")
   const std::vector<Point_3> link = link_of(mesh, v);
   const Point_3 p = mesh.point(v);
   const auto scaled = [&](double s) { return CGAL::ORIGIN + s * (p - CGAL::ORIGIN); };
-  CHECK(judge(p, link) == Placement_verdict::ACCEPTED);
-  for(double s : { 0.5, 2., 100. }) CHECK(judge(scaled(s), link) == Placement_verdict::LEAVES_SHELL);
+  CHECK(verdict_on(p, link) == Placement_verdict::ACCEPTED);
+  for(double s : { 0.5, 2., 100. }) CHECK(verdict_on(scaled(s), link) == Placement_verdict::LEAVES_SHELL);
   // inside out
   std::vector<Point_3> reversed(link.rbegin(), link.rend());
-  CHECK(judge(p, reversed) == Placement_verdict::FACES_AWAY);
+  CHECK(verdict_on(p, reversed) == Placement_verdict::FACES_AWAY);
   // at a vertex of the link: a facet has no area
-  CHECK(judge(link[0], link) == Placement_verdict::FACES_AWAY);
+  CHECK(verdict_on(link[0], link) == Placement_verdict::FACES_AWAY);
   // beyond the link: in the shell, but a facet is turned over
   const Vector_3 away = link[0] - CGAL::ORIGIN + 0.7 * (link[0] - p);
-  CHECK(judge(CGAL::ORIGIN + away / std::sqrt(away.squared_length()), link) == Placement_verdict::FACES_AWAY);
-}
-
-TEST_CASE("Facet oracle: a fan that winds twice is rejected, although each of its facets is accepted")
-{
-  const Point_3 pole(0, 0, 1);
-  CHECK(judge(pole, polar_link({ 0, 1, 2, 3, 4 }, 0.3)) == Placement_verdict::ACCEPTED);
-  CHECK(judge(pole, polar_link({ 0, 2, 4, 1, 3 }, 0.3)) == Placement_verdict::WINDS_TWICE);
-  // Each facet alone is accepted.
-  const std::vector<Point_3> star = polar_link({ 0, 2, 4, 1, 3 }, 0.3);
-  for(std::size_t n = 0; n < star.size(); ++n)
-    CHECK(oracle()(pole, star[n], star[(n + 1) % 5]) == Placement_verdict::ACCEPTED);
-  CHECK(oracle().winding_number(pole, star) == 2);
-}
-
-TEST_CASE("Facet oracle: fans between the thresholds, but outside the cells of the shell, leave the shell")
-{
-  // By its cells, the shell cannot extend to the lower part.
-  std::vector<char> cells(shell().field().number_of_cells());
-  for(std::size_t c = 0; c < cells.size(); ++c)
-    cells[c] = shell().field().cell(Shell::Field::Cell_index(c)).bbox().zmin() > -0.5;
-  const Shell upper(shell().field(), BS::Level_range{ shell().inner_level(), shell().outer_level() }, cells,
-                    shell().facet_ranges(), shell().report());
-  const Oracle of_upper(upper);
-  const Mesh mesh = sphere(3);
-  int above = 0, below = 0;
-  for(auto v : mesh.vertices()) {
-    const Point_3 p = mesh.point(v);
-    const std::vector<Point_3> link = link_of(mesh, v);
-    if(std::abs(p.z() + 0.5) < 0.3) continue;
-    const bool is_above = p.z() > -0.5;
-    ++(is_above ? above : below);
-    const Placement_verdict expected = is_above ? Placement_verdict::ACCEPTED : Placement_verdict::LEAVES_SHELL;
-    Oracle::Memory memory;
-    CHECK(of_upper(p, link, memory) == expected);
-    CHECK(of_upper(p, link[0], link[1]) == expected);
-  }
-  CHECK(above > 0);
-  CHECK(below > 0);
+  CHECK(verdict_on(CGAL::ORIGIN + away / std::sqrt(away.squared_length()), link) == Placement_verdict::FACES_AWAY);
 }
 
 TEST_CASE("Facet oracle: facets that touch a threshold are accepted")
 {
   const Mesh mesh = sphere(1);
   const Oracle tight(tight_shell());
-  for(auto f : mesh.faces()) {
-    const auto h = mesh.halfedge(f);
-    CHECK(tight(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))))
-          == Placement_verdict::ACCEPTED);
-  }
+  for(auto f : mesh.faces()) CHECK(is_accepted(tight, mesh, f));
 }
 
 TEST_CASE(
@@ -211,13 +147,10 @@ TEST_CASE(
                         && predicates.values_within(t, shell().inner_threshold(), shell().outer_threshold())
                              == BS::Verdict::PROVED
                         && predicates.crosses_upwards(t) == BS::Verdict::PROVED;
-    if(oracle()(p, q, r) == Placement_verdict::ACCEPTED) {
-      ++accepted;
-      CHECK(proved);
-    } else {
-      missed += proved;
-      ++rejected;
-    }
+    const bool is_accepted = oracle()(p, q, r) == Placement_verdict::ACCEPTED;
+    ++(is_accepted ? accepted : rejected);
+    if(is_accepted) CHECK(proved);
+    else missed += proved;
   }
   CHECK(accepted > 50);
   CHECK(rejected > 50);
@@ -227,12 +160,7 @@ TEST_CASE(
 TEST_CASE("Filter: after CGAL's edge collapse, every facet is accepted, and every fan winds once")
 {
   const Mesh start = sphere(3);
-  for(auto f : start.faces()) {
-    const auto h = start.halfedge(f);
-    REQUIRE(
-      oracle()(start.point(start.source(h)), start.point(start.target(h)), start.point(start.target(start.next(h))))
-      == Placement_verdict::ACCEPTED);
-  }
+  for(auto f : start.faces()) REQUIRE(is_accepted(oracle(), start, f));
   const BS::Shell_filter<Oracle> filter(oracle());
   BS::Collapse_visitor<Mesh> visitor;
   Mesh mesh = start;
@@ -240,11 +168,7 @@ TEST_CASE("Filter: after CGAL's edge collapse, every facet is accepted, and ever
   CHECK(removed > 0);
   CHECK(CGAL::is_closed(mesh));
   CHECK(mesh.number_of_faces() < start.number_of_faces() / 2);
-  for(auto f : mesh.faces()) {
-    const auto h = mesh.halfedge(f);
-    CHECK(oracle()(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))))
-          == Placement_verdict::ACCEPTED);
-  }
+  for(auto f : mesh.faces()) CHECK(is_accepted(oracle(), mesh, f));
   for(auto v : mesh.vertices()) CHECK(oracle().winding_number(mesh.point(v), link_of(mesh, v)) == 1);
 
   // The copies that CGAL makes share the statistics; the history is complete.
@@ -302,11 +226,7 @@ TEST_CASE("Filter: another filter that is passed by reference keeps the mesh in 
   CHECK(mesh.number_of_faces() < start.number_of_faces());
   CHECK(CGAL::Polyhedral_envelope<Kernel>(start, thickness)(mesh));
   CHECK(filter.statistics().number(Placement_verdict::BASE_FILTER) > 0);
-  for(auto f : mesh.faces()) {
-    const auto h = mesh.halfedge(f);
-    CHECK(oracle()(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))))
-          == Placement_verdict::ACCEPTED);
-  }
+  for(auto f : mesh.faces()) CHECK(is_accepted(oracle(), mesh, f));
 }
 
 TEST_CASE("Filter: an open mesh keeps its border under edge collapse, and is certified")

@@ -27,24 +27,22 @@ typedef std::vector<std::size_t> Positions;
 // Returns a shell of the unit sphere, with room around the sphere.
 const Shell& shell()
 {
-  static const Shell shell = [] {
-    const Shell tight = CGAL::bspline_shell_3(sphere(2), P::resolution(12));
-    return Shell(tight.field(), BS::Level_range{ tight.inner_level() - 0.1, tight.outer_level() + 0.1 },
-                 std::vector<char>(tight.field().number_of_cells(), 1), tight.facet_ranges(), tight.report());
-  }();
+  static const Shell shell = widened(CGAL::bspline_shell_3(sphere(2), P::resolution(12)), 0.1);
   return shell;
 }
 
-template <typename Edit, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Status run(Mesh& mesh, const Shell& shell, Result& result, const Edit& edit, const CGAL_NP_CLASS& np)
+template <typename Edit>
+Status run(Mesh& mesh, const Shell& shell, Result& result, const Edit& edit, bool freezes)
 {
   result.facets_before = mesh.number_of_faces();
-  return BS::internal::edit_and_certify<CGAL::Sequential_tag>(
-    mesh, get(CGAL::vertex_point, mesh), CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(), shell,
-    BS::Facet_proofs::ALL, np, result, [&](const auto&, const auto&, const auto&) {
-      edit(mesh);
-      return Status::SUCCESS;
-    });
+  BS::internal::Edit_options<Mesh> options;
+  options.freezes_rejected_facets = freezes;
+  return BS::internal::edit_and_certify<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), shell,
+                                                              BS::Facet_proofs::ALL, options, result,
+                                                              [&](const auto&, const auto&, const auto&) {
+                                                                edit(mesh);
+                                                                return Status::SUCCESS;
+                                                              });
 }
 
 const auto nothing = [](Mesh&) {};
@@ -52,7 +50,7 @@ const auto nothing = [](Mesh&) {};
 const Mesh::Vertex_index out(7);
 
 // Returns a sphere with one vertex moved to its center, out of the shell.
-Mesh dented()
+Mesh sphere_with_vertex_outside()
 {
   Mesh mesh = sphere(2);
   mesh.point(out) = CGAL::ORIGIN;
@@ -67,7 +65,7 @@ Positions facets_at(const Mesh& mesh, Mesh::Vertex_index v)
   return positions;
 }
 
-// Returns the vertex farthest from the dent.
+// Returns the vertex farthest from the one outside the shell.
 Mesh::Vertex_index far(const Mesh& mesh)
 {
   const Vector_3 n = sphere(2).point(out) - CGAL::ORIGIN;
@@ -81,11 +79,11 @@ Mesh::Vertex_index far(const Mesh& mesh)
 TEST_CASE("Edit under proof: an edit must keep frozen facets, leave all others in the shell, and close the mesh")
 {
   REQUIRE(shell());
-  const Mesh start = dented();
+  const Mesh start = sphere_with_vertex_outside();
   const auto status = [&](const auto& edit) {
     Mesh mesh = start;
     Result result;
-    const Status status = run(mesh, shell(), result, edit, P::freeze_rejected_facets(true));
+    const Status status = run(mesh, shell(), result, edit, true);
     CHECK(result.frozen_facets_before == facets_at(start, out));
     CHECK(result.offending_simplices.facets == facets_at(start, out));
     if(status == Status::NOT_CERTIFIED) {
@@ -113,17 +111,17 @@ TEST_CASE("Edit under proof: fans that wind twice are found before the edit, and
   const Mesh folded = sliced_sphere(25, 12, 2);
   Mesh mesh = folded;
   Result result;
-  CHECK(run(mesh, shell(), result, nothing, CGAL::parameters::default_values()) == Status::NOT_IN_SHELL);
+  CHECK(run(mesh, shell(), result, nothing, false) == Status::NOT_IN_SHELL);
   CHECK(result.offending_simplices.vertices == Positions{ 0, 1 });
   CHECK(result.offending_simplices.facets.empty());
   Result frozen;
-  CHECK(run(mesh, shell(), frozen, nothing, P::freeze_rejected_facets(true)) == Status::PARTIALLY_EDITED);
+  CHECK(run(mesh, shell(), frozen, nothing, true) == Status::PARTIALLY_EDITED);
   CHECK(frozen.frozen_facets.size() == 50);
 }
 
 TEST_CASE("Edit under proof: with a truncating shell, reports refer to facets and vertices of the original mesh")
 {
-  const Mesh start = dented();
+  const Mesh start = sphere_with_vertex_outside();
   const Mesh::Vertex_index tip = far(start);
   Truncation_parts parts = truncation_at(start, { tip }, true);
   for(bool is_disc_rejected : { false, true }) {
@@ -135,7 +133,7 @@ TEST_CASE("Edit under proof: with a truncating shell, reports refer to facets an
       CAPTURE(is_disc_rejected, freezes);
       Mesh mesh = start;
       Result result;
-      const Status status = run(mesh, truncating, result, nothing, P::freeze_rejected_facets(freezes));
+      const Status status = run(mesh, truncating, result, nothing, freezes);
       CHECK(status == (freezes ? Status::PARTIALLY_EDITED : Status::NOT_IN_SHELL));
       CHECK(result.offending_simplices.facets == facets_at(start, out));
       CHECK(result.offending_simplices.vertices == (is_disc_rejected ? Positions{ std::size_t(tip) } : Positions()));

@@ -12,7 +12,7 @@ namespace test_move_to_level {
 namespace {
 
 namespace internal = CGAL::Bspline_shells::internal;
-typedef Uniform_field::Point_3 Point_3;
+typedef Field::Point_3 Point_3;
 
 } // namespace
 
@@ -22,7 +22,7 @@ TEST_CASE("Mean level: a point is moved along the gradient to the mean level of 
     CAPTURE(exponent);
     Polynomial scaled = squared_distance;
     for(Monomial& m : scaled) m.factor *= std::ldexp(1., exponent);
-    const Uniform_field field = uniform_field(scaled);
+    const Field field = uniform_field(scaled);
     const Point_3 p(0.3, 0.4, 0.5);
     const std::optional<Point_3> moved = internal::move_to_mean_level(field, p, Point_3(0.6, 0, 0),
                                                                       Point_3(0, 0, -0.8));
@@ -34,7 +34,7 @@ TEST_CASE("Mean level: a point is moved along the gradient to the mean level of 
 
 TEST_CASE("Mean level: no point is returned if one of the points is outside the domain")
 {
-  const Uniform_field field = uniform_field(squared_distance);
+  const Field field = uniform_field(squared_distance);
   const Point_3 a(0.6, 0, 0), b(0, 0, -0.8), outside(0, 0, 50);
   CHECK(internal::move_to_mean_level(field, a, a, b));
   CHECK_FALSE(internal::move_to_mean_level(field, outside, a, b));
@@ -44,8 +44,8 @@ TEST_CASE("Mean level: no point is returned if one of the points is outside the 
 
 TEST_CASE("Mean level: no point is returned if the gradient is zero")
 {
-  const Uniform_field field = uniform_field(squared_distance);
-  CHECK_FALSE(internal::move_to_mean_level(CGAL::Bspline_shells::Uniform_bspline_field_3<>(field), Point_3(0, 0, 0),
-                                           Point_3(0.6, 0, 0), Point_3(0, 0, -0.8)));
+  const Field field = uniform_field(squared_distance);
+  CHECK_FALSE(internal::move_to_mean_level(CGAL::Bspline_shells::Hierarchical_bspline_field_3<>(field),
+                                           Point_3(0, 0, 0), Point_3(0.6, 0, 0), Point_3(0, 0, -0.8)));
 }
 } // namespace test_move_to_level

@@ -46,13 +46,12 @@ TEST_CASE("Remeshing: no vertex is in the star of another one that is moved at t
   const Mesh before = mesh;
   std::vector<Recording_oracle::Star> stars;
   const Recording_oracle oracle{ &stars };
-  const auto sizing = [](const Kernel::Point_3&) { return 1.; };
-  const CGAL::Static_boolean_property_map<Mesh::Edge_index, false> no_edge;
-  const CGAL::Static_boolean_property_map<Mesh::Vertex_index, false> no_vertex;
+  BS::internal::Remeshing_options<Mesh, Kernel::Point_3> options;
+  options.target_length = [](const Kernel::Point_3&) { return 1.; };
+  options.go_on = [] { return true; };
   const BS::internal::Frozen_facets<Mesh> frozen(mesh);
   BS::Remeshing_report report;
-  BS::internal::Guarded_mesh guarded(
-    mesh, mesh.points(), oracle, sizing, frozen, no_edge, no_vertex, false, {}, [] { return true; }, report);
+  BS::internal::Guarded_mesh guarded(mesh, mesh.points(), oracle, frozen, options, {}, report);
   BS::internal::relax_vertices<CGAL::Sequential_tag>(guarded, [](const Kernel::Point_3& p) { return p; });
   REQUIRE(stars.size() > 100);
   REQUIRE(report.moves == stars.size());

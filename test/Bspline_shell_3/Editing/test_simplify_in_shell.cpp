@@ -40,13 +40,6 @@ using BS::Placement_verdict;
 typedef BS::Edit_status Status;
 typedef CGAL::Bspline_shell_3<> Shell;
 
-// Returns a shell with additional room around its mesh.
-Shell widened(const Shell& shell, double room)
-{
-  return Shell(shell.field(), BS::Level_range{ shell.inner_level() - room, shell.outer_level() + room },
-               std::vector<char>(shell.field().number_of_cells(), 1), shell.facet_ranges(), shell.report());
-}
-
 const Shell& sphere_shell()
 {
   static const Shell shell = widened(CGAL::bspline_shell_3(sphere(2), P::resolution(12)), 0.08);
@@ -125,10 +118,43 @@ bool is_certified(const Shell& shell, const Mesh& mesh)
   return certificate.verify<CGAL::Sequential_tag>(mesh);
 }
 
-template <typename NamedParameters>
-BS::Simplification_result<Mesh> simplify(Mesh& mesh, const Shell& shell, const NamedParameters& np)
+template <typename CGAL_NP_TEMPLATE_PARAMETERS>
+BS::Simplification_result<Mesh> simplify(Mesh& mesh, const Shell& shell,
+                                         const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   return BS::simplify_in_shell<CGAL::Sequential_tag>(mesh, shell, np);
+}
+
+auto stop_at(std::size_t facets)
+{
+  return P::stop(BS::Facet_count_stop_predicate(facets));
+}
+
+// Returns options for a set of constrained edges that may be merged.
+auto merging(Edge_set& constrained)
+{
+  return P::edge_is_constrained_map(CGAL::Boolean_property_map<Edge_set>(constrained)).protect_constraints(false);
+}
+
+// Splits an edge and the facets beside it, with the new vertex at an end of the edge. Returns a halfedge of the part
+// that is not of length zero.
+Mesh::Halfedge_index split_at_end(Mesh& mesh, Mesh::Halfedge_index h)
+{
+  const auto part = CGAL::Euler::split_edge(h, mesh);
+  mesh.point(mesh.target(part)) = mesh.point(mesh.target(h));
+  CGAL::Euler::split_face(part, mesh.next(h), mesh);
+  CGAL::Euler::split_face(mesh.opposite(h), mesh.next(mesh.opposite(part)), mesh);
+  return part;
+}
+
+// Splits a vertex into two at the same place, with two facets of area zero between them.
+void split_vertex(Mesh& mesh, Mesh::Halfedge_index h)
+{
+  const Point_3 p = mesh.point(mesh.target(h));
+  const auto split = CGAL::Euler::split_vertex(
+    h, mesh.opposite(mesh.next(mesh.opposite(mesh.next(mesh.opposite(mesh.next(h)))))), mesh);
+  mesh.point(mesh.target(split)) = mesh.point(mesh.source(split)) = p;
+  PMP::triangulate_faces(mesh);
 }
 
 // Counts calls, and checks their order.
@@ -166,13 +192,13 @@ struct Counting_visitor : SMS::internal::Dummy_visitor
 };
 
 // A filter that records its calls together with those of a visitor. It cannot be copied.
-struct Noting_filter
+struct Recording_filter
 {
   Counting_visitor* visitor;
   bool accepts;
 
-  Noting_filter(Counting_visitor& visitor, bool accepts) : visitor(&visitor), accepts(accepts) {}
-  Noting_filter(const Noting_filter&) = delete;
+  Recording_filter(Counting_visitor& visitor, bool accepts) : visitor(&visitor), accepts(accepts) {}
+  Recording_filter(const Recording_filter&) = delete;
   template <typename Profile, typename OptionalPoint>
   OptionalPoint operator()(const Profile&, const OptionalPoint& p) const
   {
@@ -188,7 +214,7 @@ TEST_CASE("Simplification: the result is certified, has the requested size, and 
   REQUIRE(sphere_shell());
   const Mesh start = sphere(3);
   Mesh mesh = start;
-  const auto result = simplify(mesh, sphere_shell(), P::stop(BS::Facet_count_stop_predicate(300)));
+  const auto result = simplify(mesh, sphere_shell(), stop_at(300));
   REQUIRE(result);
   CHECK(result.status == Status::SUCCESS);
   CHECK(result.facets_before == start.number_of_faces());
@@ -213,8 +239,7 @@ TEST_CASE(
 {
   const Mesh start = sphere(3);
   Mesh mesh = start;
-  const auto result = simplify(mesh, sphere_shell(),
-                               P::stop(BS::Facet_count_stop_predicate(300)).locate_vertices(true));
+  const auto result = simplify(mesh, sphere_shell(), stop_at(300).locate_vertices(true));
   REQUIRE(result);
   const BS::Shell_map_3<Shell, Mesh> map(sphere_shell(), start, mesh);
   REQUIRE(result.locations.size() == start.number_of_vertices());
@@ -229,7 +254,7 @@ TEST_CASE(
   "Simplification: by default, simplification ends when every collapse is rejected, and a second run does nothing")
 {
   Mesh mesh = torus(1, 0.4, 40, 20);
-  const auto result = simplify(mesh, torus_shell(), CGAL::parameters::default_values());
+  const auto result = simplify(mesh, torus_shell());
   REQUIRE(result);
   CHECK(result.facets < 400);
   CHECK(result.placements.number(Placement_verdict::LEAVES_SHELL) > 0);
@@ -238,11 +263,7 @@ TEST_CASE(
   CHECK_FALSE(PMP::does_self_intersect(mesh));
   // The incremental proofs agree with the certificate on each facet.
   const BS::Shell_facet_oracle_3<> oracle(torus_shell());
-  for(auto f : mesh.faces()) {
-    const auto h = mesh.halfedge(f);
-    CHECK(oracle(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))))
-          == Placement_verdict::ACCEPTED);
-  }
+  for(auto f : mesh.faces()) CHECK(is_accepted(oracle, mesh, f));
 }
 
 TEST_CASE("Simplification: an edit that is not certified is repeated with all proofs if this is unobservable")
@@ -258,10 +279,9 @@ TEST_CASE("Simplification: an edit that is not certified is repeated with all pr
       if(int(proofs.size()) <= failures) put(vpm, *vertices(mesh).begin(), Point_3(9, 9, 9));
       return Status::SUCCESS;
     };
-    typedef typename boost::graph_traits<std::decay_t<decltype(mesh)> >::edge_descriptor Edge;
+    const BS::internal::Edit_options<std::decay_t<decltype(mesh)> > options;
     return BS::internal::edit_under_proof<CGAL::Parallel_if_available_tag>(
-      mesh, get(CGAL::vertex_point, mesh), CGAL::Static_boolean_property_map<Edge, false>(), sphere_shell(), may_repeat,
-      CGAL::parameters::default_values(), result, edit);
+      mesh, get(CGAL::vertex_point, mesh), sphere_shell(), may_repeat, options, result, edit);
   };
   typedef std::vector<BS::Facet_proofs> Proofs;
   const BS::Facet_proofs all = BS::Facet_proofs::ALL, doubtful = BS::Facet_proofs::WHERE_DOUBTFUL;
@@ -285,11 +305,11 @@ TEST_CASE("Simplification: an edit that is not certified is repeated with all pr
   Proofs proofs;
   CHECK(edited(polyhedron, true, 1, of_polyhedron, proofs) == Status::NOT_CERTIFIED);
   CHECK(proofs == Proofs{ all });
-  Mesh with_garbage = start;
-  with_garbage.remove_vertex(with_garbage.add_vertex(Point_3(0, 0, 0)));
-  BS::Simplification_result<Mesh> of_garbage;
+  Mesh with_removed_vertex = start;
+  with_removed_vertex.remove_vertex(with_removed_vertex.add_vertex(Point_3(0, 0, 0)));
+  BS::Simplification_result<Mesh> of_removed_vertex;
   proofs.clear();
-  CHECK(edited(with_garbage, true, 1, of_garbage, proofs) == Status::NOT_CERTIFIED);
+  CHECK(edited(with_removed_vertex, true, 1, of_removed_vertex, proofs) == Status::NOT_CERTIFIED);
   CHECK(proofs == Proofs{ all });
 }
 
@@ -312,8 +332,10 @@ TEST_CASE("Simplification: a repeated edit starts from the original constrained 
     return Status::SUCCESS;
   };
   BS::Simplification_result<Mesh> result;
-  CHECK(BS::internal::edit_under_proof<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), map, sphere_shell(),
-                                                             true, CGAL::parameters::default_values(), result, edit)
+  BS::internal::Edit_options<Mesh> options;
+  options.constraints = BS::internal::Edge_constraints<Mesh>(map);
+  CHECK(BS::internal::edit_under_proof<CGAL::Sequential_tag>(mesh, get(CGAL::vertex_point, mesh), sphere_shell(), true,
+                                                             options, result, edit)
         == Status::SUCCESS);
   CHECK(runs == 2);
   CHECK(result.is_repeated);
@@ -327,12 +349,10 @@ TEST_CASE("Simplification: a repeated edit starts from the original constrained 
 TEST_CASE("Simplification: a repeated edit has the result of an edit with all proofs, even with stateful policies")
 {
   // Two spheres are in one shell: each facet is accepted, but the mesh covers the shell twice.
-  Mesh mesh = sphere(2);
-  CGAL::copy_face_graph(sphere(2, 0.98), mesh);
-  const Mesh start = mesh;
+  const Mesh start = joined(sphere(2), sphere(2, 0.98));
+  Mesh mesh = start;
   const SMS::GarlandHeckbert_triangle_policies<Mesh, Kernel> policies(mesh);
-  const auto np =
-    P::stop(BS::Facet_count_stop_predicate(300)).get_cost(policies.get_cost()).get_placement(policies.get_placement());
+  const auto np = stop_at(300).get_cost(policies.get_cost()).get_placement(policies.get_placement());
   const auto repeated = simplify(mesh, sphere_shell(), np);
   CHECK(repeated.status == Status::NOT_CERTIFIED);
   CHECK(repeated.is_repeated);
@@ -352,7 +372,7 @@ TEST_CASE("Simplification: an edit that fails because of the shell is not repeat
   // The shell is the whole ball, with its critical point.
   Mesh mesh = sphere(2);
   const Mesh start = mesh;
-  const auto result = simplify(mesh, widened(sphere_shell(), 1.5), P::stop(BS::Facet_count_stop_predicate(300)));
+  const auto result = simplify(mesh, widened(sphere_shell(), 1.5), stop_at(300));
   CHECK(result.status == Status::NOT_CERTIFIED);
   CHECK(result.certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED);
   CHECK(result.certificate.verdict(BS::Claim::GRADIENT) != BS::Verdict::PROVED);
@@ -365,9 +385,9 @@ TEST_CASE("Simplification: estimates and full proofs yield the same mesh")
   // A visitor observes the edits, so everything is proved.
   Mesh estimated = torus(1, 0.4, 40, 20), proved = estimated;
   Counting_visitor visitor;
-  const auto result = simplify(estimated, torus_shell(), P::stop(BS::Facet_count_stop_predicate(500)));
+  const auto result = simplify(estimated, torus_shell(), stop_at(500));
   REQUIRE(result);
-  REQUIRE(simplify(proved, torus_shell(), P::stop(BS::Facet_count_stop_predicate(500)).visitor(std::ref(visitor))));
+  REQUIRE(simplify(proved, torus_shell(), stop_at(500).visitor(std::ref(visitor))));
   CHECK_FALSE(result.is_repeated);
   CHECK(is_equal(estimated, proved));
 }
@@ -377,7 +397,7 @@ TEST_CASE("Simplification: nothing changes if every collapse is rejected")
   const Mesh start = sphere(2);
   Mesh mesh = start;
   Counting_visitor visitor;
-  const Noting_filter filter(visitor, false);
+  const Recording_filter filter(visitor, false);
   const auto result = simplify(mesh, sphere_shell(), P::filter(std::cref(filter)));
   CHECK(result);
   CHECK(result.collapsed == 0);
@@ -398,8 +418,8 @@ TEST_CASE("Simplification: the report states whether the predicate, the shell, a
     return result.end;
   };
   // The shell does not permit the first target, but the second one.
-  CHECK(end(P::stop(BS::Facet_count_stop_predicate(4)), sphere_shell()) == Edit_termination::SHELL);
-  CHECK(end(P::stop(BS::Facet_count_stop_predicate(200)), sphere_shell()) == Edit_termination::STOP_PREDICATE);
+  CHECK(end(stop_at(4), sphere_shell()) == Edit_termination::SHELL);
+  CHECK(end(stop_at(200), sphere_shell()) == Edit_termination::STOP_PREDICATE);
   // If both the filter and the shell reject placements, the shell is reported.
   const auto is_on_one_side = [](const auto& profile, auto placement) {
     return profile.p0().x() < 0 ? decltype(placement)() : placement;
@@ -428,10 +448,8 @@ TEST_CASE("Simplification: the caller's visitor and filter are called in the doc
 {
   Mesh mesh = sphere(2);
   Counting_visitor visitor;
-  const Noting_filter filter(visitor, true);
-  const auto result = simplify(
-    mesh, sphere_shell(),
-    P::stop(BS::Facet_count_stop_predicate(100)).visitor(std::ref(visitor)).filter(std::cref(filter)));
+  const Recording_filter filter(visitor, true);
+  const auto result = simplify(mesh, sphere_shell(), stop_at(100).visitor(std::ref(visitor)).filter(std::cref(filter)));
   CHECK(result);
   const std::string& calls = visitor.calls;
   REQUIRE(calls.size() > 2);
@@ -540,9 +558,7 @@ TEST_CASE("Simplification: ends and junctions of constrained polylines are kept"
   };
   Edge_set constrained = edges_between(mesh, is_on_cross);
   REQUIRE(constrained.size() == 12);
-  const auto result = simplify(
-    mesh, box_shell(),
-    P::edge_is_constrained_map(CGAL::Boolean_property_map<Edge_set>(constrained)).protect_constraints(false));
+  const auto result = simplify(mesh, box_shell(), merging(constrained));
   REQUIRE(result);
   CHECK(result.constrained_edges == 4);
   CHECK(constrained.size() == 4);
@@ -570,17 +586,11 @@ TEST_CASE("Simplification: a closed constrained polyline stays closed, with some
   for(auto e : constrained) before.insert(mesh.point(mesh.vertex(e, 0)));
   // An edge of length zero at a vertex of the polyline, in a facet with one of its edges, must not interrupt it.
   // Therefore, another edge is split at its very end.
-  const auto h = mesh.prev(mesh.halfedge(*constrained.begin()));
-  const auto half = CGAL::Euler::split_edge(h, mesh);
-  mesh.point(mesh.target(half)) = mesh.point(mesh.target(h));
-  CGAL::Euler::split_face(half, mesh.next(h), mesh);
-  CGAL::Euler::split_face(mesh.opposite(h), mesh.next(mesh.opposite(half)), mesh);
+  split_at_end(mesh, mesh.prev(mesh.halfedge(*constrained.begin())));
   REQUIRE(CGAL::is_triangle_mesh(mesh));
   const std::size_t facets = mesh.number_of_faces();
 
-  const auto result = simplify(
-    mesh, torus_shell(),
-    P::edge_is_constrained_map(CGAL::Boolean_property_map<Edge_set>(constrained)).protect_constraints(false));
+  const auto result = simplify(mesh, torus_shell(), merging(constrained));
   REQUIRE(result);
   CHECK(2 * result.facets < facets);
   CHECK(result.constrained_edges == constrained.size());
@@ -604,17 +614,10 @@ TEST_CASE("Simplification: after a failure, a map of constrained edges is restor
   Mesh mesh = fine_box();
   Edge_set constrained = edges_between(
     mesh, [](const Point_3& p, const Point_3& q) { return is_at_edge_of_box(CGAL::midpoint(p, q)); });
-  const auto h = mesh.halfedge(*constrained.begin());
-  const auto half = CGAL::Euler::split_edge(h, mesh);
-  mesh.point(mesh.target(half)) = mesh.point(mesh.target(h));
-  CGAL::Euler::split_face(half, mesh.next(h), mesh);
-  CGAL::Euler::split_face(mesh.opposite(h), mesh.next(mesh.opposite(half)), mesh);
-  constrained.insert(mesh.edge(half));
+  constrained.insert(mesh.edge(split_at_end(mesh, mesh.halfedge(*constrained.begin()))));
   const Edge_set edges_before = constrained;
   const Mesh before = mesh;
-  const auto result = simplify(
-    mesh, box_shell(),
-    P::edge_is_constrained_map(CGAL::Boolean_property_map<Edge_set>(constrained)).protect_constraints(false));
+  const auto result = simplify(mesh, box_shell(), merging(constrained));
   CHECK(result.status == Status::NOT_CERTIFIED);
   CHECK(result.is_repeated);
   CHECK(result.collapsed > 100);
@@ -627,16 +630,10 @@ TEST_CASE("Simplification: edges of length zero are collapsed, and the result is
 {
   Mesh mesh = sphere(2);
   const std::size_t facets = mesh.number_of_faces();
-  // A vertex is split into two at the same place, with two facets of area zero between them.
-  const auto h = *mesh.halfedges().begin();
-  const Point_3 p = mesh.point(mesh.target(h));
-  const auto split = CGAL::Euler::split_vertex(
-    h, mesh.opposite(mesh.next(mesh.opposite(mesh.next(mesh.opposite(mesh.next(h)))))), mesh);
-  mesh.point(mesh.target(split)) = mesh.point(mesh.source(split)) = p;
-  PMP::triangulate_faces(mesh);
+  split_vertex(mesh, *mesh.halfedges().begin());
   REQUIRE(mesh.number_of_faces() == facets + 2);
   REQUIRE_FALSE(is_certified(sphere_shell(), mesh));
-  const auto result = simplify(mesh, sphere_shell(), P::stop(BS::Facet_count_stop_predicate(facets)));
+  const auto result = simplify(mesh, sphere_shell(), stop_at(facets));
   CHECK(std::string(message(result.status)) == message(Status::SUCCESS));
   CHECK(result.offending_simplices.facets.empty());
   CHECK(result.facets == facets);
@@ -651,8 +648,7 @@ TEST_CASE("Simplification: on request, facets outside the shell are frozen, and 
   Mesh mesh = start;
   CHECK(simplify(mesh, sphere_shell(), P::freeze_rejected_facets(false)).status == Status::NOT_IN_SHELL);
   REQUIRE(is_equal(mesh, start));
-  const auto result = simplify(mesh, sphere_shell(),
-                               P::freeze_rejected_facets(true).stop(BS::Facet_count_stop_predicate(200)));
+  const auto result = simplify(mesh, sphere_shell(), stop_at(200).freeze_rejected_facets(true));
   check_frozen_result(result, sphere_shell(), start, mesh);
   CHECK(result.facets == 200);
   CHECK(result.frozen_facets.size() == start.degree(Mesh::Vertex_index(7)));
@@ -670,7 +666,7 @@ TEST_CASE("Simplification: on request, facets outside the shell are frozen, and 
   CHECK(2 * of_folded.facets < of_folded.facets_before);
   // Nothing needs to be frozen.
   Mesh one = sphere(2), other = one;
-  REQUIRE(simplify(one, sphere_shell(), CGAL::parameters::default_values()));
+  REQUIRE(simplify(one, sphere_shell()));
   const auto certified = simplify(other, sphere_shell(), P::freeze_rejected_facets(true));
   CHECK(certified);
   CHECK(certified.frozen_facets.empty());
@@ -679,26 +675,16 @@ TEST_CASE("Simplification: on request, facets outside the shell are frozen, and 
 
 TEST_CASE("Simplification: edges of length zero are removed away from frozen facets, and frozen at them")
 {
-  // Splits a vertex into two at the same place, with two facets of area zero between them.
-  const auto add_zero_edge = [](Mesh& mesh, Mesh::Vertex_index v) {
-    const auto h = mesh.halfedge(v);
-    const Point_3 p = mesh.point(v);
-    const auto split = CGAL::Euler::split_vertex(
-      h, mesh.opposite(mesh.next(mesh.opposite(mesh.next(mesh.opposite(mesh.next(h)))))), mesh);
-    mesh.point(mesh.target(split)) = mesh.point(mesh.source(split)) = p;
-    PMP::triangulate_faces(mesh);
-  };
   Mesh start = sphere(2);
   const Mesh::Vertex_index out(0), far(1);
   const std::size_t ring = start.degree(out);
   const Mesh::Vertex_index near = *CGAL::vertices_around_target(start.halfedge(out), start).begin();
-  add_zero_edge(start, near);
-  add_zero_edge(start, far);
+  split_vertex(start, start.halfedge(near));
+  split_vertex(start, start.halfedge(far));
   start.point(out) = CGAL::ORIGIN;
   REQUIRE(start.number_of_faces() == 324);
   Mesh mesh = start;
-  const auto result = simplify(mesh, sphere_shell(),
-                               P::freeze_rejected_facets(true).stop(BS::Facet_count_stop_predicate(322)));
+  const auto result = simplify(mesh, sphere_shell(), stop_at(322).freeze_rejected_facets(true));
   check_frozen_result(result, sphere_shell(), start, mesh);
   CHECK(result.facets == 322);
   CHECK(result.offending_simplices.facets.size() >= ring);
@@ -707,9 +693,9 @@ TEST_CASE("Simplification: edges of length zero are removed away from frozen fac
 
 TEST_CASE("Simplification: invalid input is rejected with a status, and left unchanged")
 {
-  const auto refused = [](Mesh mesh, const Shell& shell) {
+  const auto rejected = [](Mesh mesh, const Shell& shell) {
     const Mesh before = mesh;
-    const auto result = simplify(mesh, shell, CGAL::parameters::default_values());
+    const auto result = simplify(mesh, shell);
     CHECK_FALSE(result);
     CHECK(result.images.empty());
     CHECK(result.facets == result.facets_before);
@@ -719,26 +705,21 @@ TEST_CASE("Simplification: invalid input is rejected with a status, and left unc
     CHECK(result.end == BS::Edit_termination::NOT_EDITED);
     return result;
   };
-  CHECK(refused(sphere(1), Shell()).status == Status::NO_SHELL);
-  CHECK(refused(Mesh(), sphere_shell()).status == Status::NOT_TRIANGULATED);
+  CHECK(rejected(sphere(1), Shell()).status == Status::NO_SHELL);
+  CHECK(rejected(Mesh(), sphere_shell()).status == Status::NOT_TRIANGULATED);
   Mesh mesh = sphere(2);
   CGAL::Euler::remove_face(*mesh.halfedges().begin(), mesh);
-  CHECK(refused(mesh, sphere_shell()).status == Status::OPEN_MESH);
+  CHECK(rejected(mesh, sphere_shell()).status == Status::OPEN_MESH);
   mesh = sphere(2);
   mesh.point(Mesh::Vertex_index(3)) = Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
-  {
-    const auto result = simplify(mesh, sphere_shell(), CGAL::parameters::default_values());
-    CHECK(result.status == Status::NOT_FINITE);
-  }
+  CHECK(simplify(mesh, sphere_shell()).status == Status::NOT_FINITE);
   mesh = sphere(2);
   mesh.point(Mesh::Vertex_index(7)) = Point_3(0, 0, 0);
-  const auto outside = refused(mesh, sphere_shell());
+  const auto outside = rejected(mesh, sphere_shell());
   CHECK(outside.status == Status::NOT_IN_SHELL);
   CHECK(outside.offending_simplices.facets.size() >= 5);
   // Two spheres are in one shell: each facet is accepted, but the mesh covers the shell twice.
-  mesh = sphere(2);
-  CGAL::copy_face_graph(sphere(2, 0.98), mesh);
-  const auto twice = refused(mesh, sphere_shell());
+  const auto twice = rejected(joined(sphere(2), sphere(2, 0.98)), sphere_shell());
   CHECK(twice.status == Status::NOT_CERTIFIED);
   CHECK(twice.certificate.verdict(BS::Claim::CONTAINMENT) == BS::Verdict::PROVED);
   CHECK(twice.certificate.verdict(BS::Claim::ONE_SHEET) != BS::Verdict::PROVED);
@@ -750,13 +731,13 @@ TEST_CASE("Simplification: a Polyhedron_3 is simplified with other costs, until 
   Polyhedron mesh;
   CGAL::copy_face_graph(sphere(2), mesh);
   const std::size_t vertices = num_vertices(mesh);
-  std::size_t asked = 0;
-  const auto cancel = [&](const auto&, const auto&, std::size_t, std::size_t) { return ++asked > 40; };
+  std::size_t calls = 0;
+  const auto cancel = [&](const auto&, const auto&, std::size_t, std::size_t) { return ++calls > 40; };
   const auto result = BS::simplify_in_shell<CGAL::Sequential_tag>(
     mesh, sphere_shell(),
     P::stop(cancel).get_cost(SMS::Edge_length_cost<Polyhedron>()).get_placement(SMS::Midpoint_placement<Polyhedron>()));
   REQUIRE(result);
-  CHECK(asked == 41);
+  CHECK(calls == 41);
   CHECK(result.end == BS::Edit_termination::STOP_PREDICATE);
   CHECK(result.collapsed > 0);
   CHECK(result.collapsed <= 40);
@@ -776,7 +757,7 @@ TEST_CASE("Simplification and remeshing: a mesh of another kernel with double co
     };
     return std::all_of(other.vertices_begin(), other.vertices_end(), is_same);
   };
-  const auto target = P::stop(BS::Facet_count_stop_predicate(400));
+  const auto target = stop_at(400);
   Mesh mesh;
   Other_mesh other;
   CGAL::copy_face_graph(torus(1, 0.4, 40, 20), mesh); // edges are in the same order

@@ -1,7 +1,6 @@
 // Splines on cells of different sizes are compared with their definition in exact arithmetic, with polynomials, and
 // with themselves on other cells.
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 #include "exact_spline.h"
 #include "random_hierarchies.h"
 
@@ -22,7 +21,6 @@ namespace {
 
 namespace BS = CGAL::Bspline_shells;
 typedef BS::Hierarchical_bspline_field_3<> Field;
-typedef BS::Uniform_bspline_field_3<> Uniform_field;
 typedef Field::Cell_index Index;
 typedef Field::Point_3 Point;
 typedef std::array<int, 3> Order;
@@ -161,7 +159,9 @@ double off(double x, const Rational& exact)
   return std::abs(CGAL::to_double(Rational(Rational(x) - exact)));
 }
 
-// Returns a tolerance as for uniform fields, with the error radius of the leaf.
+// Returns an upper bound of the error of an evaluated derivative: the leaf's radius, and roundings of local
+// coordinates, weights and sums. The absolute Bernstein weights of a first derivative sum to at most 6; those of a
+// second derivative, to at most 36.
 double tolerance(const Field& field, Index c, int order)
 {
   double largest = 0;
@@ -250,6 +250,7 @@ TEST_CASE(
     CHECK(field.number_of_points() == points);
     CHECK(field.number_of_coefficients() == free);
     CHECK(field.coefficients().isZero(0));
+    CHECK(*field.value(point_in_cell(field, 0, { 0.5, 0.5, 0.5 })) == 0);
   }
 }
 
@@ -308,9 +309,48 @@ TEST_CASE("Hierarchical field: value, gradient and Hessian agree with the defini
       CHECK(off(hessian(a, (a + n) % 3), oracle.value(c, t, order)) <= tolerance(field, c, 2));
     }
   }
-  CHECK_FALSE(field.value(Point(0, 0, 0)));
-  CHECK_FALSE(field.gradient(Point(0, 0, 0)));
-  CHECK_FALSE(field.hessian(Point(std::numeric_limits<double>::quiet_NaN(), 0, 0)));
+}
+
+TEST_CASE("Hierarchical field: derivatives agree with difference quotients")
+{
+  CGAL::Random random(19);
+  Field field(some_cells_of_three_sizes(random));
+  field.set_coefficients(random_vector(random, field.number_of_coefficients()));
+  for(int n = 0; n < 50; ++n) {
+    const Index c = Index(random.get_int(0, int(field.number_of_cells())));
+    const double w = field.cells().width(c), h = 1e-4 * w;
+    const Point p = point_in_cell(field, c,
+                                  { random.get_double(.1, .9), random.get_double(.1, .9), random.get_double(.1, .9) });
+    for(int a = 0; a < 3; ++a) {
+      const Field::Vector_3 step(a == 0 ? h : 0, a == 1 ? h : 0, a == 2 ? h : 0);
+      // Third derivatives are at most 8 / w^3, so the error of the quotient is 8/6 h^2 / w^3, plus a few eps / h.
+      const double error = 2e-8 / w;
+      CHECK(((*field.value(p + step) - *field.value(p - step)) / (2 * h))
+            == Approx((*field.gradient(p))[a]).margin(error));
+      const Field::Vector_3 second = (*field.gradient(p + step) - *field.gradient(p - step)) / (2 * h);
+      for(int b = 0; b < 3; ++b) CHECK(second[b] == Approx((*field.hessian(p))(a, b)).margin(20 * error / w));
+    }
+  }
+}
+
+TEST_CASE("Hierarchical field: there is no value outside the cells, which are closed")
+{
+  CGAL::Random random(8);
+  Field field(random_hierarchy(random, some_cells(random, lattice, { -1, -1, -1 }, { 1, 1, 1 }), 3));
+  field.set_coefficients(random_vector(random, field.number_of_coefficients()));
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  const auto end = [](int a) { return lattice.coordinate(a, 2); };
+  const Point corner(end(0), end(1), end(2));
+  CHECK(field.value(corner).has_value());
+  for(const Point& p : { Point(std::nextafter(corner.x(), inf), corner.y(), corner.z()),
+                         Point(corner.x(), corner.y(), std::nextafter(corner.z(), inf)), Point(0, 0, 0),
+                         Point(nan, 0, 0), Point(corner.x(), -inf, 0) }) {
+    CHECK(field.locate(p) == Field::npos);
+    CHECK_FALSE(field.value(p));
+    CHECK_FALSE(field.gradient(p));
+    CHECK_FALSE(field.hessian(p));
+  }
+  CHECK_FALSE(Field().value(corner));
 }
 
 TEST_CASE("Hierarchical field: the functions sum to one, and reproduce tricubic polynomials exactly")
@@ -637,39 +677,62 @@ TEST_CASE("Hierarchical field: a coefficient that is not finite leaves cells unk
     }
 }
 
-TEST_CASE("Hierarchical field: without splits, a hierarchical field equals a uniform field, bit for bit")
+TEST_CASE("Hierarchical field: a leaf is unknown if sums of multiples of its coefficients overflow")
+{
+  CGAL::Random random(20);
+  Field field(some_cells_of_three_sizes(random));
+  Eigen::VectorXd x = Eigen::VectorXd::Ones(Eigen::Index(field.number_of_coefficients()));
+  const Eigen::VectorXd acting = field.extend(Eigen::VectorXd::Unit(x.size(), 0));
+  for(double large : { 1e305, 1e306, -1e306, 1.7e308 }) {
+    CAPTURE(large);
+    x[0] = large;
+    field.set_coefficients(x);
+    std::size_t affected = 0, claimed = 0;
+    for(Index c = 0; c < field.number_of_cells(); ++c) {
+      const std::array<double, 64> weights = local_coefficients(field, acting, c);
+      const bool is_known = std::isfinite(field.cell(c).error_radius());
+      if(std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0; })) CHECK(is_known);
+      else {
+        ++affected;
+        claimed += is_known;
+      }
+    }
+    CHECK(affected > 0);
+    CHECK(claimed == (large == 1e305 ? affected : 0));
+  }
+}
+
+TEST_CASE("Hierarchical field: on cells of one size, all coefficients are free, and the field is that of Eq. 3.3")
 {
   CGAL::Random random(17);
   const Root_cells roots = some_cells(random, lattice, { -4, -3, -2 }, { 3, 2, 1 }, 0.6);
-  Field field{ Hierarchy(roots) };
-  Uniform_field uniform(roots);
-  REQUIRE(field.number_of_coefficients() == uniform.number_of_coefficients());
-  REQUIRE(field.number_of_points() == uniform.number_of_points());
+  Field field(roots);
+  REQUIRE(field.number_of_levels() == 1);
+  REQUIRE(field.number_of_points() == field.number_of_coefficients());
+  REQUIRE(field.number_of_cells() == roots.number_of_cells());
   const Eigen::VectorXd x = random_vector(random, field.number_of_coefficients());
   field.set_coefficients(x);
-  uniform.set_coefficients(x);
   CHECK((field.extend(x) == x));
   CHECK((field.collect(x) == x));
-  std::size_t different = 0;
-  for(Index n = 0; n < field.number_of_points(); ++n)
-    different += field.points(0).point(n) != uniform.points(0).point(n);
-  for(Index c = 0; c < field.number_of_cells(); ++c) {
-    const Field::Cell a = field.cell(c);
-    const Uniform_field::Cell b = uniform.cell(c);
-    different += a.corner() != b.corner() || a.width() != b.width() || a.error_radius() != b.error_radius()
-                 || !std::equal(a.coefficients(), a.coefficients() + 64, b.coefficients())
-                 || field.coefficient_rows(c) != uniform.coefficient_rows(c)
-                 || field.bernstein_coefficients<double>(c) != uniform.bernstein_coefficients<double>(c);
-    const Point p = point_in_cell(field, c, { 0.2, 0.9, 0.4 });
-    different += field.value(p) != uniform.value(p) || field.gradient(p) != uniform.gradient(p);
-    for(int axis = 0; axis < 3; ++axis) {
-      Index n = Field::npos, m = Field::npos;
-      different += field.visit_neighbors(c, axis, true, [&](Index i) { n = i; })
-                   != uniform.visit_neighbors(c, axis, true, [&](Index i) { m = i; });
-      different += n != m;
+  for(Index n = 0; n < field.number_of_points(); ++n) {
+    REQUIRE(field.coefficient_of_point(n) == n);
+    REQUIRE(field.point_of_coefficient(n) == n);
+  }
+  for(int n = 0; n < 40; ++n) {
+    const Index c = Index(random.get_int(0, int(field.number_of_cells())));
+    CHECK(field.cells().lattice_point(c) == roots.lattice_point(c));
+    const Point p = point_in_cell(field, c, { random.get_double(), random.get_double(), random.get_double() });
+    REQUIRE(field.locate(p) == c);
+    const Rational value = exact_value(field, exact(p));
+    CHECK(bernstein_value(field.bernstein_coefficients<Rational>(c), local(field, c, exact(p))) == value);
+    CHECK(off(*field.value(p), value) <= tolerance(field, c, 0));
+    const Field::Vector_3 gradient = *field.gradient(p);
+    for(int a = 0; a < 3; ++a) {
+      Order order = { 0, 0, 0 };
+      order[a] = 1;
+      CHECK(off(gradient[a], exact_value(field, exact(p), order)) <= tolerance(field, c, 1));
     }
   }
-  CHECK(different == 0);
 }
 
 TEST_CASE("Hierarchical field: setting coefficients in parallel yields the same leaves, bit for bit")

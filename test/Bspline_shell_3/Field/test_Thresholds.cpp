@@ -22,11 +22,7 @@ typedef CGAL::Exact_rational Rational;
 TEST_CASE("Spline thresholds: a cell is constant if and only if its coefficients are, with correct range and values")
 {
   CGAL::Random random(3);
-  const Hierarchy cells = random_hierarchy(
-    random,
-    some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.7, { -4, -4, -4 }, { 3, 3, 3 }), { -4, -4, -4 },
-               { 3, 3, 3 }),
-    3);
+  const Hierarchy cells = random_hierarchy(random, all_cells(0.7, { -4, -4, -4 }, { 3, 3, 3 }), 3);
   Field field(cells);
   Eigen::VectorXd x = Eigen::VectorXd::Constant(Eigen::Index(field.number_of_coefficients()), 0.125);
   for(int n = 0; n < 3; ++n) x[random.get_int(0, int(x.size()))] = random.get_double(0.05, 0.2);

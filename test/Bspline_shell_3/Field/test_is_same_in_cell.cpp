@@ -18,11 +18,7 @@ typedef Field::Cell_index Index;
 TEST_CASE("Same in a cell: fields differ exactly in the cells on which a changed coefficient acts")
 {
   CGAL::Random random(1);
-  const Hierarchy cells = random_hierarchy(
-    random,
-    some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 1, { -4, -4, -4 }, { 3, 3, 3 }), { -4, -4, -4 },
-               { 3, 3, 3 }),
-    2);
+  const Hierarchy cells = random_hierarchy(random, all_cells(1, { -4, -4, -4 }, { 3, 3, 3 }), 2);
   Field f(cells), g(cells);
   Eigen::VectorXd x(Eigen::Index(f.number_of_coefficients()));
   for(double& value : x) value = random.get_double(1, 2);

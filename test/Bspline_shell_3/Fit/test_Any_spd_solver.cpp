@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <limits>
+#include <string>
 
 namespace test_Any_spd_solver {
 namespace {
@@ -106,5 +107,11 @@ TEST_CASE("SPD solvers: solvers that measure their own residuals are not checked
   solver.change = [](const Vector& x) { return Vector(2 * x); };
   CHECK(status_of(solver) == Solver_status::WRONG_SOLUTION);
   CHECK(status_of(solver, false) == Solver_status::SUCCESS);
+}
+
+TEST_CASE("SPD solvers: each status has a message")
+{
+  for(int s = 0; s <= int(Solver_status::WRONG_SOLUTION); ++s)
+    CHECK_FALSE(std::string(message(Solver_status(s))).empty());
 }
 } // namespace test_Any_spd_solver

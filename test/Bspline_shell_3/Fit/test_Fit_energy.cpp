@@ -2,13 +2,11 @@
 // normal equations with the energy.
 #include "fit_problem.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace test_Fit_energy {
@@ -123,23 +121,6 @@ TEST_CASE("Fit energy: the weights of the terms agree with the paper, in cell un
   CHECK(invalid() == "energy_weights.coefficients");
 }
 
-TEST_CASE("Fit energy: E_SDF is the sum of squared differences at the samples")
-{
-  const Fit_problem& problem = cube_problem();
-  const Energy energy = problem.energy();
-  const Eigen::VectorXd x = Deterministic_numbers(1).vector(problem.field.number_of_coefficients());
-  Field field = problem.field;
-  field.set_coefficients(x * problem.width());
-  double sum = 0;
-  std::size_t n = 0;
-  for_each_sample(problem, [&](Field::Cell_index c, const Point_3& p) {
-    const double d = (field.cell(c).value(p) - problem.samples[n++]) / problem.width();
-    sum += d * d;
-  });
-  CHECK(n == problem.samples.size());
-  CHECK(energy.value(Term::DISTANCE, x) == Approx(sum).epsilon(1e-12));
-}
-
 TEST_CASE("Fit energy: E_surface is the integral of the squared value over the facets")
 {
   const Fit_problem& problem = cube_problem();
@@ -222,17 +203,6 @@ TEST_CASE("Fit energy: E_singularH is the integral of |det H| over the cells in 
   CHECK(problem.energy().value(Term::SINGULAR_HESSIAN, paraboloid(problem, 1, 1, 1)) == 0); // no domain is set
 }
 
-TEST_CASE("Fit energy: the range on the mesh is taken at quadrature points in the interior of the pieces")
-{
-  const Fit_problem& problem = cube_problem();
-  const std::pair<double, double> range = problem.energy().range_on_mesh(
-    problem.coefficients([](double x, double y, double) { return x + 10 * y; }));
-  CHECK(range.second <= 11 * half);
-  CHECK(range.second > 11 * half - 11);
-  CHECK(range.first >= -11 * half);
-  CHECK(range.first < -11 * half + 11);
-}
-
 TEST_CASE(
   "Fit energy: E_coefficients measures deviations from the linear extension of the samples, by the functions' shares")
 {
@@ -282,98 +252,6 @@ TEST_CASE("Fit energy: the initial guess extends the samples linearly")
     worst = (std::max)(worst, std::abs(field.cell(c).value(p) - problem.samples[n++]));
   });
   CHECK(worst < 2);
-}
-
-TEST_CASE("Fit energy: gradients are the derivatives of the values")
-{
-  // The mesh has facets in all directions, and pieces of all sizes.
-  const Fit_problem problem(sphere(1), 4.3, 1);
-  Energy energy = problem.energy(all_terms_weighted());
-  Deterministic_numbers random(2);
-  const std::size_t size = problem.field.number_of_coefficients();
-  for(double sign : { 1., -1. }) {
-    // Determinants are close to 1 or -1, where |det H| is smooth.
-    const Eigen::VectorXd x = paraboloid(problem, 1, sign, 1) + 0.02 * random.vector(size);
-    energy.set_singular_hessian_domain(x, -1, 3);
-    const std::vector<char> cells = cells_between(problem, x, -1, 3);
-    const double h = 1. / 256;
-    for(int trial = 0; trial < 12; ++trial) {
-      // all coefficients change, or only one
-      Eigen::VectorXd d = random.vector(size);
-      if(trial >= 4) d = Eigen::VectorXd::Unit(size, std::size_t((1 + random()) / 2 * (size - 1)));
-      double least = everywhere;
-      for(double step : { -2., 2. })
-        for(double det : determinants(problem, x + step * h * d, cells)) least = (std::min)(least, sign * det);
-      REQUIRE(least > 0.1);
-      for(Term term : all_terms) {
-        CAPTURE(int(term), trial, sign);
-        const auto value = [&](double step) { return energy.value(term, Eigen::VectorXd(x + step * h * d)); };
-        // Exact up to rounding, as the terms are polynomials of degree two or three along a line.
-        const double difference = (8 * (value(1) - value(-1)) - (value(2) - value(-2))) / (12 * h);
-        // Each value is a sum of less than 2^15 numbers; relative errors add up like a random walk.
-        const double rounding = 2e-16 * 256 * value(0) * 18 / (12 * h);
-        CHECK(std::abs(energy.gradient(term, x).dot(d) - difference) <= rounding);
-        // Rounding is far less than the compared values.
-        if(trial < 4) CHECK(std::abs(difference) > 100 * rounding);
-      }
-    }
-  }
-}
-
-TEST_CASE("Fit energy: the normal equations represent the quadratic terms")
-{
-  const Fit_problem problem(sphere(1), 4.3, 1);
-  Energy_weights without_angle;
-  without_angle.mu = 0;
-  without_angle.normal = 10;
-  without_angle.surface = 100;
-  without_angle.coefficients = 0.002;
-  Energy energy = problem.energy(GENERATE_COPY(all_terms_weighted(), without_angle));
-  const std::size_t size = problem.field.number_of_coefficients();
-  if(GENERATE(false, true)) {
-    std::vector<float> factors(problem.field.number_of_cells());
-    for(std::size_t c = 0; c < factors.size(); ++c) factors[c] = float(1 + c % 7);
-    energy.set_surface_factors(factors);
-  }
-  Eigen::SparseMatrix<double> A;
-  Eigen::VectorXd b;
-  energy.assemble<CGAL::Sequential_tag>(A, b);
-  REQUIRE(std::size_t(A.rows()) == size);
-  REQUIRE(A.isCompressed());
-  bool lower = true, ascending = true;
-  for(int c = 0; c < A.outerSize(); ++c) {
-    int last = c - 1;
-    for(Eigen::SparseMatrix<double>::InnerIterator it(A, c); it; ++it) {
-      lower = lower && it.row() >= c;
-      ascending = ascending && it.row() > last;
-      last = int(it.row());
-    }
-  }
-  CHECK(lower);
-  CHECK(ascending);
-
-  const Eigen::MatrixXd full = symmetric(A);
-  const auto quadratic_value = [&](const Eigen::VectorXd& x) {
-    double sum = 0;
-    for(Term term : quadratic_terms) sum += energy.value(term, x);
-    return sum;
-  };
-  Deterministic_numbers random(3);
-  for(int trial = 0; trial < 4; ++trial) {
-    const Eigen::VectorXd x = random.vector(size);
-    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(size);
-    for(Term term : quadratic_terms) gradient += energy.gradient(term, x);
-    const Eigen::VectorXd residual = 2 * (full * x - b);
-    CHECK((residual - gradient).norm() <= 1e-12 * gradient.norm());
-    const double constant = quadratic_value(Eigen::VectorXd::Zero(size));
-    const double model = x.dot(full * x) - 2 * b.dot(x) + constant;
-    CHECK(model == Approx(quadratic_value(x)).epsilon(1e-12));
-  }
-  // The matrix is positive definite, as the samples alone determine every coefficient.
-  Energy_weights distance_only;
-  distance_only.mu = 0;
-  problem.energy(distance_only).assemble<CGAL::Sequential_tag>(A, b);
-  CHECK(Eigen::LLT<Eigen::MatrixXd, Eigen::Lower>(Eigen::MatrixXd(A)).info() == Eigen::Success);
 }
 
 TEST_CASE("Fit energy: the fourth term's equations are the Gauss-Newton model of (det H)^2 / max(|det H|, eta)")

@@ -3,9 +3,9 @@
 #include "random_hierarchies.h"
 
 #include <CGAL/Bspline_shell_3/Fit/Conjugate_gradient_solver.h>
-#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Fit/fit_field.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
@@ -17,9 +17,7 @@ namespace {
 
 namespace BS = CGAL::Bspline_shells;
 typedef CGAL::Sequential_tag Tag;
-typedef BS::Hierarchical_bspline_field_3<> Hierarchical_field;
-typedef BS::Fit_energy<Hierarchical_field> Hierarchical_energy;
-typedef Hierarchical_field::Cell_index Index;
+typedef Field::Cell_index Index;
 
 constexpr Term all_terms[] = { Term::DISTANCE,         Term::SURFACE, Term::ANGLE,
                                Term::SINGULAR_HESSIAN, Term::NORMAL,  Term::COEFFICIENTS };
@@ -29,7 +27,7 @@ constexpr Term quadratic_terms[] = { Term::DISTANCE, Term::SURFACE, Term::ANGLE,
 struct Problem
 {
   BS::Input_mesh_3 input;
-  Hierarchical_field field;
+  Field field;
   BS::Clipped_mesh_3 clipped;
   std::vector<double> samples;
 
@@ -39,16 +37,16 @@ struct Problem
     const BS::Lattice_3 lattice(input.bbox(), input.unit() / gamma);
     Hierarchy cells(Root_cells(lattice, BS::dilate(BS::cells_entered_by_mesh<Tag>(input, lattice), -rings, rings)));
     while(cells.number_of_levels() < levels) cells = cells.refined({ cells.locate(refined_at) });
-    field = Hierarchical_field(cells);
+    field = Field(cells);
     clipped = BS::clip_mesh_to_cells<Tag>(input, cells);
     samples = BS::sample_signed_distance<Tag>(BS::Mesh_signed_distance_3(input), cells);
   }
   Problem(const Problem&) = delete; // energies refer to it
 
   double root_width() const { return field.cells().lattice().spacing(); }
-  Hierarchical_energy energy(const Energy_weights& weights = all_terms_weighted()) const
+  Energy energy(const Energy_weights& weights = all_terms_weighted()) const
   {
-    return Hierarchical_energy(field, samples, clipped, input.unit() / root_width(), weights);
+    return Energy(field, samples, clipped, input.unit() / root_width(), weights);
   }
 
   // Returns a coefficient for each free function: `f` of its lattice point, in user units, and of the spacing of its
@@ -68,9 +66,9 @@ struct Problem
     return x;
   }
 
-  Hierarchical_field field_of(const Eigen::VectorXd& x) const
+  Field field_of(const Eigen::VectorXd& x) const
   {
-    Hierarchical_field f = field;
+    Field f = field;
     f.set_coefficients(x * root_width());
     return f;
   }
@@ -145,7 +143,7 @@ TEST_CASE("Fit energy on a hierarchy: E_SDF is the sum of squared differences in
   const Problem& problem = sphere_problem();
   REQUIRE(problem.field.number_of_levels() == 3);
   const Eigen::VectorXd x = Deterministic_numbers(1).vector(problem.field.number_of_coefficients());
-  const Hierarchical_field field = problem.field_of(x);
+  const Field field = problem.field_of(x);
   double sum = 0;
   std::size_t n = 0;
   problem.for_each_sample([&](Index c, const Point_3& p) {
@@ -159,7 +157,7 @@ TEST_CASE("Fit energy on a hierarchy: E_SDF is the sum of squared differences in
 TEST_CASE("Fit energy on a hierarchy: integrals of linear functions over facets agree with closed forms")
 {
   const Problem& problem = cube_problem();
-  const Hierarchical_energy energy = problem.energy();
+  const Energy energy = problem.energy();
   const auto f = [](const Point_3& p) { return 0.3 * p.x() - 2 * p.y() + p.z() + 0.7; };
   const Eigen::VectorXd x = problem.coefficients(
     [&](double a, double b, double c, double) { return f(Point_3(a, b, c)); });
@@ -188,7 +186,7 @@ TEST_CASE("Fit energy on a hierarchy: integrals of linear functions over facets 
 TEST_CASE("Fit energy on a hierarchy: the range on the mesh and the domain of E_singularH use the same units")
 {
   const Problem& problem = cube_problem();
-  Hierarchical_energy energy = problem.energy();
+  Energy energy = problem.energy();
   // A linear function, in root cells.
   const Eigen::VectorXd linear = problem.coefficients([](double x, double y, double, double) { return x + 10 * y; });
   const std::pair<double, double> range = energy.range_on_mesh(linear);
@@ -199,7 +197,7 @@ TEST_CASE("Fit energy on a hierarchy: the range on the mesh and the domain of E_
 
   // The determinant of the Hessian is one per cubed user unit. User units are root cells.
   const Eigen::VectorXd x = paraboloid(problem, 1, 1, 1);
-  const Hierarchical_field field = problem.field_of(x);
+  const Field field = problem.field_of(x);
   for(const std::pair<double, double>& levels : { std::make_pair(-1e9, 1e9), std::make_pair(3., 5.) }) {
     std::vector<char> domain(field.number_of_cells(), 0);
     problem.for_each_sample([&](Index c, const Point_3& p) {
@@ -222,26 +220,33 @@ TEST_CASE("Fit energy on a hierarchy: the range on the mesh and the domain of E_
 TEST_CASE("Fit energy on a hierarchy: gradients are the derivatives of the values")
 {
   const Problem& problem = sphere_problem();
-  Hierarchical_energy energy = problem.energy();
+  Energy energy = problem.energy();
   Deterministic_numbers random(2);
   const std::size_t size = problem.field.number_of_coefficients();
-  // Determinants are close to one per root cell, where |det H| is smooth.
+  // Determinants are close to 1 or -1 per root cell, where |det H| is smooth.
   const double w = problem.root_width();
-  const Eigen::VectorXd x = paraboloid(problem, 1 / w, 1 / w, 1 / w) + 1e-3 * random.vector(size);
-  energy.set_singular_hessian_domain(x, -1e9, 1e9);
   const double h = 1. / 4096;
-  for(int trial = 0; trial < 8; ++trial) {
-    const Eigen::VectorXd d = trial < 4
-                                ? random.vector(size)
-                                : Eigen::VectorXd::Unit(size, Eigen::Index((1 + random()) / 2 * double(size - 1)));
-    for(Term term : all_terms) {
-      CAPTURE(int(term), trial);
-      const auto value = [&](double step) { return energy.value(term, Eigen::VectorXd(x + step * h * d)); };
-      // Exact up to rounding, as the terms are polynomials of degree two or three along a line.
-      const double difference = (8 * (value(1) - value(-1)) - (value(2) - value(-2))) / (12 * h);
-      const double rounding = 2e-16 * 256 * value(0) * 18 / (12 * h);
-      CHECK(std::abs(energy.gradient(term, x).dot(d) - difference) <= rounding);
-      if(trial < 4) CHECK(std::abs(difference) > 10 * rounding);
+  for(double sign : { 1., -1. }) {
+    const Eigen::VectorXd x = paraboloid(problem, 1 / w, sign / w, 1 / w) + 1e-3 * random.vector(size);
+    for(double level : { 3., 1e9 }) {
+      energy.set_singular_hessian_domain(x, -level, level);
+      for(int trial = 0; trial < 8; ++trial) {
+        // all coefficients change, or only one
+        const Eigen::VectorXd d = trial < 4
+                                    ? random.vector(size)
+                                    : Eigen::VectorXd::Unit(size, Eigen::Index((1 + random()) / 2 * double(size - 1)));
+        for(Term term : all_terms) {
+          CAPTURE(int(term), trial, sign, level);
+          const auto value = [&](double step) { return energy.value(term, Eigen::VectorXd(x + step * h * d)); };
+          // Exact up to rounding, as the terms are polynomials of degree two or three along a line.
+          const double difference = (8 * (value(1) - value(-1)) - (value(2) - value(-2))) / (12 * h);
+          // Each value is a sum of less than 2^15 numbers; relative errors add up like a random walk.
+          const double rounding = 2e-16 * 256 * value(0) * 18 / (12 * h);
+          CHECK(std::abs(energy.gradient(term, x).dot(d) - difference) <= rounding);
+          // Rounding is far less than the compared values.
+          if(trial < 4) CHECK(std::abs(difference) > 10 * rounding);
+        }
+      }
     }
   }
 }
@@ -249,12 +254,23 @@ TEST_CASE("Fit energy on a hierarchy: gradients are the derivatives of the value
 TEST_CASE("Fit energy on a hierarchy: the normal equations represent the quadratic terms")
 {
   const Problem problem(sphere(1), 3.3, 1, Point_3(0, 0.6, 0.8), 2);
-  const Hierarchical_energy energy = problem.energy();
+  Energy_weights without_angle;
+  without_angle.mu = 0;
+  without_angle.normal = 10;
+  without_angle.surface = 100;
+  without_angle.coefficients = 0.002;
+  Energy energy = problem.energy(GENERATE_COPY(all_terms_weighted(), without_angle));
   const std::size_t size = problem.field.number_of_coefficients();
   REQUIRE(size < problem.field.number_of_points());
+  if(GENERATE(false, true)) {
+    std::vector<float> factors(problem.field.number_of_cells());
+    for(std::size_t c = 0; c < factors.size(); ++c) factors[c] = float(1 + c % 7);
+    energy.set_surface_factors(factors);
+  }
   Eigen::SparseMatrix<double> A;
   Eigen::VectorXd b;
   energy.assemble<Tag>(A, b);
+  REQUIRE(std::size_t(A.rows()) == size);
   const Eigen::MatrixXd full = symmetric(A);
   const auto quadratic_value = [&](const Eigen::VectorXd& x) {
     double sum = 0;
@@ -277,13 +293,18 @@ TEST_CASE("Fit energy on a hierarchy: the normal equations represent the quadrat
   REQUIRE(parallel_A.nonZeros() == A.nonZeros());
   CHECK(std::equal(A.valuePtr(), A.valuePtr() + A.nonZeros(), parallel_A.valuePtr()));
   CHECK((b == parallel_b));
+  // The matrix is positive definite, as the samples alone determine every coefficient.
+  Energy_weights distance_only;
+  distance_only.mu = 0;
+  problem.energy(distance_only).assemble<Tag>(A, b);
+  CHECK(Eigen::LLT<Eigen::MatrixXd, Eigen::Lower>(Eigen::MatrixXd(A)).info() == Eigen::Success);
 }
 
 TEST_CASE(
   "Fit energy on a hierarchy: the fourth term keeps the sparsity pattern, and its model has the term's gradient")
 {
   const Problem& problem = sphere_problem();
-  Hierarchical_energy energy = problem.energy();
+  Energy energy = problem.energy();
   const Eigen::VectorXd x = energy.initial_guess();
   energy.set_singular_hessian_domain(x, -1, 1);
   Eigen::SparseMatrix<double> A;
@@ -305,7 +326,7 @@ TEST_CASE("Fit energy on a hierarchy: the gradient vanishes at the solution")
   Energy_weights weights = all_terms_weighted();
   weights.zeta = 100;
   weights.singular_hessian = 0;
-  Hierarchical_energy energy = problem.energy(weights);
+  Energy energy = problem.energy(weights);
   Eigen::SparseMatrix<double> A;
   Eigen::VectorXd b;
   energy.assemble<Tag>(A, b);
@@ -324,7 +345,7 @@ TEST_CASE("Fit energy on a hierarchy: the gradient vanishes at the solution")
     CHECK(energy.value(Eigen::VectorXd(x + 1e-3 * random.vector(std::size_t(x.size())))) > least);
 
   // Conjugate gradients with blocks find the solution, too.
-  Hierarchical_field field = problem.field;
+  Field field = problem.field;
   BS::Conjugate_gradient_solver<> solver(1e-10, 20000);
   const BS::Fit_report report = BS::fit_field<Tag>(field, energy, solver, energy.initial_guess());
   REQUIRE(report.status == BS::Solver_status::SUCCESS);
@@ -347,7 +368,7 @@ TEST_CASE("Fit energy on a hierarchy: samples of a linear function are fitted ex
   const auto f = [](double x, double y, double z) { return 0.3 * x - 2 * y + z + 0.7; };
   std::vector<double> samples;
   problem.for_each_sample([&](Index, const Point_3& p) { samples.push_back(f(p.x(), p.y(), p.z())); });
-  const Hierarchical_energy energy(problem.field, samples, problem.clipped, 5, distance_only);
+  const Energy energy(problem.field, samples, problem.clipped, 5, distance_only);
   Eigen::SparseMatrix<double> A;
   Eigen::VectorXd b;
   energy.assemble<Tag>(A, b);
@@ -366,7 +387,7 @@ TEST_CASE("Fit energy on a hierarchy: samples of a linear function are fitted ex
 
 TEST_CASE("Fit energy on a hierarchy: blocks cover all unknowns, and each stays on one level")
 {
-  const Hierarchical_field& field = sphere_problem().field;
+  const Field& field = sphere_problem().field;
   const BS::Unknown_blocks blocks = BS::overlapping_blocks(field);
   std::vector<int> times(field.number_of_coefficients(), 0);
   std::size_t wrong = 0;
@@ -392,7 +413,7 @@ TEST_CASE("Fit energy on a hierarchy: blocks cover all unknowns, and each stays 
 TEST_CASE("Fit energy on a hierarchy: equations of a part equal the full equations with the other values fixed")
 {
   for(const Problem* problem : { &sphere_problem(), &cube_problem() }) {
-    const Hierarchical_energy energy = problem->energy();
+    const Energy energy = problem->energy();
     const Eigen::VectorXd x = Deterministic_numbers(3).vector(problem->field.number_of_coefficients());
     const BS::Fitted_part part(problem->field, { Index(problem->field.number_of_cells() - 1), 5 });
     const Eigen::Index chosen = std::count(part.coefficients.begin(), part.coefficients.end(), 1);

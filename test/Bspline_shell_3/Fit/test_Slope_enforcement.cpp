@@ -23,9 +23,9 @@ namespace {
 
 namespace BS = CGAL::Bspline_shells;
 typedef CGAL::Sequential_tag Tag;
-typedef BS::Hierarchical_bspline_field_3<> Hierarchical_field;
-typedef Hierarchical_field::Cell_index Index;
-typedef BS::Slope_enforcement<Hierarchical_field> Enforcement;
+typedef BS::Hierarchical_bspline_field_3<> Field;
+typedef Field::Cell_index Index;
+typedef BS::Slope_enforcement<Field> Enforcement;
 typedef BS::Slope_condition Condition;
 typedef Eigen::VectorXd Vector;
 typedef Eigen::SparseMatrix<double> Matrix;
@@ -37,7 +37,7 @@ constexpr double excess = 0.05;
 // A quadratic energy of fields on some cells, and its minimizer.
 struct Problem
 {
-  Hierarchical_field field;
+  Field field;
   Matrix A;    // lower triangle
   Vector b, x; // in units of the width of root cells
 
@@ -46,16 +46,16 @@ struct Problem
   Eigen::MatrixXd dense() const { return Matrix(A.selfadjointView<Eigen::Lower>()); }
   double energy(const Vector& y) const { return y.dot(A.selfadjointView<Eigen::Lower>() * y) - 2 * b.dot(y); }
 
-  Hierarchical_field field_of(const Vector& y) const
+  Field field_of(const Vector& y) const
   {
-    Hierarchical_field f = field;
+    Field f = field;
     f.set_coefficients(y * width());
     return f;
   }
   Condition condition(const Point_3& p, const Vector_3& d, double least, double largest = inf) const
   {
     const Index c = field.locate(p);
-    REQUIRE(c != Hierarchical_field::npos);
+    REQUIRE(c != Field::npos);
     const double length = std::sqrt(d.squared_length());
     return { c,     0,      field.cell(c).local_coordinates(p), { d.x() / length, d.y() / length, d.z() / length },
              least, largest };
@@ -67,7 +67,7 @@ struct Problem
     return Point_3(corner[0] + w * c.position[0], corner[1] + w * c.position[1], corner[2] + w * c.position[2]);
   }
   // Returns by how much a condition is exceeded, according to the field's own values and gradients.
-  double slack(const Condition& c, const Hierarchical_field& f) const
+  double slack(const Condition& c, const Field& f) const
   {
     const Vector_3 g = f.gradient(point(c)).value();
     return (std::min)(g.x() * c.direction[0] + g.y() * c.direction[1] + g.z() * c.direction[2] - c.least,
@@ -75,14 +75,14 @@ struct Problem
   }
   double least_slack(const std::vector<Condition>& conditions, const Vector& y) const
   {
-    const Hierarchical_field f = field_of(y);
+    const Field f = field_of(y);
     double least = inf;
     for(const Condition& c : conditions) least = (std::min)(least, slack(c, f));
     return least;
   }
   std::vector<std::uint32_t> violated_cells(const std::vector<Condition>& conditions, const Vector& y) const
   {
-    const Hierarchical_field f = field_of(y);
+    const Field f = field_of(y);
     std::set<std::uint32_t> cells;
     for(const Condition& c : conditions)
       if(slack(c, f) < 0) cells.insert(c.cell);
@@ -99,13 +99,13 @@ Problem problem_of(const Mesh& mesh, double gamma, const Point_3& refined_at, in
   Hierarchy cells(Root_cells(lattice, BS::dilate(BS::cells_entered_by_mesh<Tag>(input, lattice), -1, 1)));
   while(cells.number_of_levels() < levels) cells = cells.refined({ cells.locate(refined_at) });
   Problem problem;
-  problem.field = Hierarchical_field(cells);
+  problem.field = Field(cells);
   const BS::Clipped_mesh_3 clipped = BS::clip_mesh_to_cells<Tag>(input, cells);
   const std::vector<double> samples = BS::sample_signed_distance<Tag>(BS::Mesh_signed_distance_3(input), cells);
   Energy_weights weights;
   weights.zeta = zeta;
   weights.surface = 1;
-  BS::Fit_energy<Hierarchical_field>(problem.field, samples, clipped, input.unit() / lattice.spacing(), weights)
+  BS::Fit_energy<Field>(problem.field, samples, clipped, input.unit() / lattice.spacing(), weights)
     .assemble<Tag>(problem.A, problem.b);
   problem.minimize();
   return problem;
@@ -120,7 +120,7 @@ Problem bar(unsigned seed = 1)
                              { 0, 0, 0 }, { 8, 0, 0 }));
   cells = cells.refined({ cells.locate(Point_3(0.1, 0.1, 0.1)) });
   Problem problem;
-  problem.field = Hierarchical_field(cells);
+  problem.field = Field(cells);
   REQUIRE(problem.field.number_of_levels() == 2);
   const Eigen::Index size = Eigen::Index(problem.field.number_of_coefficients());
   Eigen::MatrixXd A = 0.05 * Eigen::MatrixXd::Identity(size, size);
@@ -465,7 +465,7 @@ TEST_CASE("Slopes: a condition in a new cell is compared with the field that ear
   enforce.insert({ first });
   CHECK(enforce(x).violated_cells.empty());
   // The field has also changed nearby.
-  const Hierarchical_field before = problem.field_of(problem.x), after = problem.field_of(x);
+  const Field before = problem.field_of(problem.x), after = problem.field_of(x);
   for(double x0 : { 2.2, 2.7, 3.7, 4.2 }) {
     const Point_3 p(x0, 0.3, 0.2);
     const double slope = after.gradient(p).value().z();
@@ -494,7 +494,7 @@ TEST_CASE("Slopes: cells in which the field changed are reported")
   Enforcement enforce(problem.field, problem.A, problem.b);
   enforce.insert(conditions);
   const BS::Slope_report report = enforce(x);
-  const Hierarchical_field before = problem.field_of(problem.x), after = problem.field_of(x);
+  const Field before = problem.field_of(problem.x), after = problem.field_of(x);
   std::set<std::uint32_t> changed, unchanged;
   for(const Condition& c : conditions) {
     const double* b = before.cell(c.cell).coefficients();
@@ -513,7 +513,7 @@ TEST_CASE("Slopes: neither the number of threads nor the order of conditions in 
   for(int n = 0; n < 4000; ++n) {
     const double t = random.get_double(0, 1);
     const Point_3 p(t * random.get_double(-0.4, 0.4), t * random.get_double(-0.4, 0.4), 4 - 2 * t);
-    if(problem.field.locate(p) == Hierarchical_field::npos) continue;
+    if(problem.field.locate(p) == Field::npos) continue;
     conditions.push_back(problem.condition(p, Vector_3(p.x(), p.y(), 0.1), 0.5));
   }
   const std::vector<std::uint32_t> violated = problem.violated_cells(conditions, problem.x);
@@ -554,7 +554,7 @@ TEST_CASE("Slopes: coefficients without an equation keep their values")
   problem.b -= kept.selfadjointView<Eigen::Lower>() * before;
   for(Eigen::Index u = 0; u < before.size(); u += 3) problem.b[u] = 0;
   problem.A = A.sparseView();
-  BS::Slope_enforcement<Hierarchical_field> enforcement(problem.field, problem.A, problem.b);
+  BS::Slope_enforcement<Field> enforcement(problem.field, problem.A, problem.b);
   enforcement.insert(conditions);
   const BS::Slope_report report = enforcement(problem.x);
   CHECK(report.violated_cells.empty());

@@ -1,5 +1,5 @@
 // Solver_traits_adaptor.h: CGAL's solver traits solve the systems of fits.
-#include "test_meshes.h"
+#include "fit_problem.h"
 
 #include <CGAL/Bspline_shell_3/Fit/Conjugate_gradient_solver.h>
 #include <CGAL/Bspline_shell_3/Fit/Solver_traits_adaptor.h>
@@ -27,11 +27,7 @@ typedef CGAL::Eigen_solver_traits<> General;
 
 TEMPLATE_TEST_CASE("Solver traits: a system is solved for several right-hand sides", "", Direct, Symmetric, General)
 {
-  Eigen::SparseMatrix<double> lower(2, 2);
-  lower.insert(0, 0) = 1;
-  lower.insert(1, 0) = 2;
-  lower.insert(1, 1) = 8;
-  lower.makeCompressed();
+  const Eigen::SparseMatrix<double> lower = lower_triangle(1, 2, 8);
   BS::Solver_traits_adaptor<TestType> solver;
   REQUIRE(solver.compute(lower) == Solver_status::SUCCESS);
   Eigen::VectorXd b(2), x;
@@ -46,11 +42,7 @@ TEMPLATE_TEST_CASE("Solver traits: a system is solved for several right-hand sid
 
 TEST_CASE("Solver traits: a singular matrix is reported as a failure")
 {
-  Eigen::SparseMatrix<double> lower(2, 2);
-  lower.insert(0, 0) = 0;
-  lower.insert(1, 0) = 0;
-  lower.insert(1, 1) = 0;
-  lower.makeCompressed();
+  const Eigen::SparseMatrix<double> lower = lower_triangle(0, 0, 0);
   BS::Solver_traits_adaptor<Direct> solver;
   Eigen::VectorXd b = Eigen::VectorXd::Ones(2), x;
   CHECK((solver.compute(lower) != Solver_status::SUCCESS || solver.solve(b, x) != Solver_status::SUCCESS));

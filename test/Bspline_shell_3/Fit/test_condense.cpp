@@ -1,7 +1,6 @@
 // condense.h, Cell_colors.h, Normal_equations.h: equations for free coefficients are compared with the product of three
 // matrices.
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Fit/Fitted_part.h>
 #include <CGAL/Bspline_shell_3/Fit/internal/Cell_colors.h>
 #include <CGAL/Bspline_shell_3/Fit/internal/Normal_equations.h>
@@ -18,7 +17,6 @@ namespace {
 
 namespace BS = CGAL::Bspline_shells;
 typedef BS::Hierarchical_bspline_field_3<> Field;
-typedef BS::Uniform_bspline_field_3<> Uniform_field;
 typedef Field::Cell_index Index;
 typedef Eigen::Matrix<double, 64, 64> Local_matrix;
 typedef Eigen::Matrix<double, 64, 1> Local_vector;
@@ -42,20 +40,19 @@ struct Random_equations
   }
 };
 
-template <typename AnyField>
 struct Assembled
 {
   Matrix A;
   Eigen::VectorXd b;
 
   template <typename ConcurrencyTag>
-  Assembled(const AnyField& field, ConcurrencyTag, const std::vector<char>* chosen = nullptr)
+  Assembled(const Field& field, ConcurrencyTag, const std::vector<char>* chosen = nullptr)
   {
-    const BS::internal::Normal_equations<AnyField> equations(field, chosen);
+    const BS::internal::Normal_equations<Field> equations(field, chosen);
     Matrix all;
     Eigen::VectorXd all_rhs;
     equations.template set_zero<ConcurrencyTag>(all, all_rhs);
-    BS::internal::Cell_colors<AnyField>(field).template for_each_cell<ConcurrencyTag>([&](Index c) {
+    BS::internal::Cell_colors<Field>(field).template for_each_cell<ConcurrencyTag>([&](Index c) {
       const Random_equations local(c);
       equations.add(c, local.matrix, local.rhs, all, all_rhs);
     });
@@ -91,43 +88,43 @@ void expected_equations(const Field& field, Eigen::MatrixXd& A, Eigen::VectorXd&
   b = P.transpose() * all_rhs;
 }
 
-void check_lower_triangle(const Matrix& A)
+// Checks that rows ascend from the diagonal, and that all chosen unknowns, and no others, have entries.
+void check_lower_triangle(const Matrix& A, const std::vector<char>* chosen = nullptr)
 {
   REQUIRE(A.isCompressed());
+  const auto is_chosen = [&](Eigen::Index n) { return !chosen || (*chosen)[std::size_t(n)]; };
   std::size_t wrong = 0;
   for(int c = 0; c < A.outerSize(); ++c) {
     int last = c - 1;
     for(Matrix::InnerIterator it(A, c); it; ++it) {
-      wrong += it.row() <= last; // rows ascend from the diagonal
-      wrong += last == c - 1 && it.row() != c;
+      wrong += it.row() <= last || (last == c - 1 && it.row() != c) || !is_chosen(it.row());
       last = int(it.row());
     }
+    wrong += is_chosen(c) != (last >= c);
   }
   CHECK(wrong == 0);
 }
 
-// Checks that columns of chosen unknowns begin with the diagonal, and other columns are empty.
-void check_chosen_lower_triangle(const Matrix& A, const std::vector<char>& chosen)
+template <typename Equations, typename Other_equations>
+void check_identical(const Equations& a, const Other_equations& b)
 {
-  REQUIRE(A.isCompressed());
-  std::size_t wrong = 0;
-  for(int c = 0; c < A.outerSize(); ++c) {
-    int last = c - 1;
-    for(Matrix::InnerIterator it(A, c); it; ++it) {
-      wrong += it.row() <= last || !chosen[std::size_t(it.row())];
-      last = int(it.row());
-    }
-    wrong += chosen[std::size_t(c)]
-               ? A.outerIndexPtr()[c] == A.outerIndexPtr()[c + 1] || A.innerIndexPtr()[A.outerIndexPtr()[c]] != c
-               : A.outerIndexPtr()[c] != A.outerIndexPtr()[c + 1];
-  }
-  CHECK(wrong == 0);
+  const Eigen::Index size = a.A.nonZeros();
+  REQUIRE(b.A.nonZeros() == size);
+  CHECK(std::equal(a.A.valuePtr(), a.A.valuePtr() + size, b.A.valuePtr()));
+  CHECK(std::equal(a.A.innerIndexPtr(), a.A.innerIndexPtr() + size, b.A.innerIndexPtr()));
+  CHECK((a.b == b.b));
+}
+
+Field random_field(int seed, const Lattice_point& first, const Lattice_point& last, double share, int levels)
+{
+  CGAL::Random random(seed);
+  return Field(random_hierarchy(random, some_cells(random, lattice, first, last, share), levels));
 }
 
 void check_condensed(const Field& field)
 {
-  REQUIRE(field.number_of_coefficients() < field.number_of_points());
-  const Assembled<Field> found(field, CGAL::Sequential_tag());
+  REQUIRE((field.number_of_coefficients() < field.number_of_points()) == (field.number_of_levels() > 1));
+  const Assembled found(field, CGAL::Sequential_tag());
   REQUIRE(std::size_t(found.A.rows()) == field.number_of_coefficients());
   REQUIRE(std::size_t(found.A.cols()) == field.number_of_coefficients());
   check_lower_triangle(found.A);
@@ -139,6 +136,7 @@ void check_condensed(const Field& field)
   CHECK((Eigen::MatrixXd(found.A) - lower).cwiseAbs().maxCoeff() < 1e-12);
   CHECK((found.b - b).cwiseAbs().maxCoeff() < 1e-12);
   CHECK(lower.cwiseAbs().maxCoeff() > 1);
+  if(field.number_of_levels() == 1) return;
   // Coefficients of different levels are coupled.
   double between_levels = 0;
   const Eigen::Index coarse = Eigen::Index(field.number_of_coefficients()) - 1;
@@ -152,25 +150,12 @@ void check_condensed(const Field& field)
 
 TEST_CASE("Condensed equations: equations of all points are restricted correctly to the free coefficients")
 {
-  SECTION("two levels")
-  {
-    CGAL::Random random(1);
-    check_condensed(Field(random_hierarchy(random, some_cells(random, lattice, { -5, -1, -1 }, { 3, 0, 0 }), 2)));
-  }
-  SECTION("two levels, with holes")
-  {
-    CGAL::Random random(2);
-    check_condensed(Field(random_hierarchy(random, some_cells(random, lattice, { -4, -2, -1 }, { 3, 1, 1 }, 0.6), 2)));
-  }
-  SECTION("three levels")
-  {
-    CGAL::Random random(3);
-    check_condensed(Field(random_hierarchy(random, some_cells(random, lattice, { -6, 0, -1 }, { 5, 1, 0 }), 3)));
-  }
+  SECTION("two levels") check_condensed(random_field(1, { -5, -1, -1 }, { 3, 0, 0 }, 1, 2));
+  SECTION("two levels, with holes") check_condensed(random_field(2, { -4, -2, -1 }, { 3, 1, 1 }, 0.6, 2));
+  SECTION("three levels") check_condensed(random_field(3, { -6, 0, -1 }, { 5, 1, 0 }, 1, 3));
   SECTION("four levels, deep at one end")
   {
-    CGAL::Random random(4);
-    Hierarchy cells(some_cells(random, lattice, { -5, -1, 0 }, { 4, 0, 0 }));
+    Hierarchy cells(all_cells(lattice, { -5, -1, 0 }, { 4, 0, 0 }));
     const std::array<double, 3> end = cells.corner(0);
     while(cells.number_of_levels() < 4) cells = cells.refined({ cells.locate(end) });
     check_condensed(Field(cells));
@@ -179,20 +164,12 @@ TEST_CASE("Condensed equations: equations of all points are restricted correctly
 
 TEST_CASE("Condensed equations: the equations do not depend on the number of threads, bit for bit")
 {
-  CGAL::Random random(5);
-  const Field field(random_hierarchy(random, some_cells(random, lattice, { -6, -3, -2 }, { 4, 1, 1 }, 0.9), 3));
+  const Field field = random_field(5, { -6, -3, -2 }, { 4, 1, 1 }, 0.9, 3);
   REQUIRE(field.number_of_cells() > 1000); // enough for several chunks
-  const Assembled<Field> sequential(field, CGAL::Sequential_tag());
+  const Assembled sequential(field, CGAL::Sequential_tag());
   check_lower_triangle(sequential.A);
-  for(int run = 0; run < 3; ++run) {
-    const Assembled<Field> parallel(field, CGAL::Parallel_if_available_tag());
-    REQUIRE(parallel.A.nonZeros() == sequential.A.nonZeros());
-    CHECK(
-      std::equal(sequential.A.valuePtr(), sequential.A.valuePtr() + sequential.A.nonZeros(), parallel.A.valuePtr()));
-    CHECK(std::equal(sequential.A.innerIndexPtr(), sequential.A.innerIndexPtr() + sequential.A.nonZeros(),
-                     parallel.A.innerIndexPtr()));
-    CHECK((sequential.b == parallel.b));
-  }
+  for(int run = 0; run < 3; ++run)
+    check_identical(sequential, Assembled<Field>(field, CGAL::Parallel_if_available_tag()));
 }
 
 TEST_CASE(
@@ -200,15 +177,12 @@ TEST_CASE(
 {
   CGAL::Random random(6);
   const Root_cells roots = some_cells(random, lattice, { -4, -2, -2 }, { 3, 1, 1 }, 0.7);
-  const Uniform_field uniform(roots);
+  const Field uniform(roots);
   const Field field{ Hierarchy(roots) };
-  const Assembled<Uniform_field> a(uniform, CGAL::Sequential_tag());
+  const Assembled<Field> a(uniform, CGAL::Sequential_tag());
   const Assembled<Field> b(field, CGAL::Sequential_tag());
   check_lower_triangle(a.A);
-  REQUIRE(a.A.nonZeros() == b.A.nonZeros());
-  CHECK(std::equal(a.A.valuePtr(), a.A.valuePtr() + a.A.nonZeros(), b.A.valuePtr()));
-  CHECK(std::equal(a.A.innerIndexPtr(), a.A.innerIndexPtr() + a.A.nonZeros(), b.A.innerIndexPtr()));
-  CHECK((a.b == b.b));
+  check_identical(a, b);
 }
 
 TEST_CASE("Condensed equations: for chosen points, their entries are unchanged, and other entries are zero")
@@ -217,7 +191,7 @@ TEST_CASE("Condensed equations: for chosen points, their entries are unchanged, 
   for(int n = 0; n < 4; ++n) {
     const Field field(random_hierarchy(random, some_cells(random, lattice, { 0, 0, 0 }, { 3, 3, 3 }, 0.8), 1 + n % 3));
     const BS::Fitted_part part(field, random_leaves(random, field.cells(), 1));
-    const Assembled<Field> all(field, CGAL::Sequential_tag()), chosen(field, CGAL::Sequential_tag(), &part.points);
+    const Assembled all(field, CGAL::Sequential_tag()), chosen(field, CGAL::Sequential_tag(), &part.points);
     check_chosen_lower_triangle(chosen.A, part.coefficients);
     const Eigen::MatrixXd expected = all.A, found = chosen.A;
     std::size_t entries = 0;

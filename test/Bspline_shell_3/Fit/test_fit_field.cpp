@@ -109,11 +109,7 @@ TEST_CASE("Blocks of unknowns: blocks save most iterations, and change the solut
 TEST_CASE("Conjugate_gradient_solver solves a system given by its lower triangle")
 {
   // The solution of (4 1; 1 3) x = (1; 2) is (1, 7) / 11.
-  Eigen::SparseMatrix<double> lower(2, 2);
-  lower.insert(0, 0) = 4;
-  lower.insert(1, 0) = 1;
-  lower.insert(1, 1) = 3;
-  lower.makeCompressed();
+  Eigen::SparseMatrix<double> lower = lower_triangle(4, 1, 3);
   Eigen::VectorXd b(2), x = Eigen::VectorXd::Zero(2);
   b << 1, 2;
   CG solver(1e-14);
@@ -127,11 +123,11 @@ TEST_CASE("Conjugate_gradient_solver solves a system given by its lower triangle
   REQUIRE(solver.solve(b, x) == Solver_status::SUCCESS);
   CHECK(solver.iterations() <= 1);
   // One iteration is not enough.
-  CG impatient(1e-14, 1);
+  CG limited(1e-14, 1);
   x.setZero();
-  REQUIRE(impatient.compute(lower) == Solver_status::SUCCESS);
-  CHECK(impatient.solve(b, x) == Solver_status::NOT_CONVERGED);
-  CHECK(impatient.residual() > 1e-14);
+  REQUIRE(limited.compute(lower) == Solver_status::SUCCESS);
+  CHECK(limited.solve(b, x) == Solver_status::NOT_CONVERGED);
+  CHECK(limited.residual() > 1e-14);
 }
 
 TEST_CASE("The gradient of the energy vanishes at a fit")
@@ -207,14 +203,14 @@ TEST_CASE("Steps on the singular Hessian never increase the energy, and decrease
     // steps.
     std::vector<Eigen::VectorXd> steps(solver.guesses.begin() + 1, solver.guesses.end());
     steps.push_back(field.coefficients() / problem->width());
-    Energy judge = problem->energy();
-    const std::pair<double, double> range = judge.range_on_mesh(steps.front());
-    judge.set_singular_hessian_domain(steps.front(), range.first, range.second);
+    Energy reference = problem->energy();
+    const std::pair<double, double> range = reference.range_on_mesh(steps.front());
+    reference.set_singular_hessian_domain(steps.front(), range.first, range.second);
     // The last point was multiplied and divided by the width, with errors of a few units in the last place.
     for(std::size_t n = 1; n < steps.size(); ++n)
-      CHECK(judge.value(steps[n]) <= judge.value(steps[n - 1]) * (1 + 1e-12));
-    const double first = judge.value(Term::SINGULAR_HESSIAN, steps.front()),
-                 last = judge.value(Term::SINGULAR_HESSIAN, steps.back());
+      CHECK(reference.value(steps[n]) <= reference.value(steps[n - 1]) * (1 + 1e-12));
+    const double first = reference.value(Term::SINGULAR_HESSIAN, steps.front()),
+                 last = reference.value(Term::SINGULAR_HESSIAN, steps.back());
     CHECK(last < 0.9 * first);
     CHECK(report.energy[std::size_t(Term::SINGULAR_HESSIAN)] == Approx(last).epsilon(1e-9));
   }
@@ -237,10 +233,10 @@ TEST_CASE("If a solver fails, its status is reported, and the field is unchanged
   const Eigen::VectorXd before = Deterministic_numbers(6).vector(field.number_of_coefficients());
   field.set_coefficients(before);
 
-  CG impatient(1e-10, 1);
-  CHECK(BS::fit_field<Tag>(field, energy, impatient, energy.initial_guess()).status == Solver_status::NOT_CONVERGED);
+  CG limited(1e-10, 1);
+  CHECK(BS::fit_field<Tag>(field, energy, limited, energy.initial_guess()).status == Solver_status::NOT_CONVERGED);
   CHECK((field.coefficients() == before));
-  CHECK(impatient.iterations() == 1);
+  CHECK(limited.iterations() == 1);
 
   Recording_solver no_factorization;
   no_factorization.fails_at_compute = 1;
@@ -302,11 +298,7 @@ TEST_CASE("Conjugate gradients and the direct solver yield the same field")
 
 TEST_CASE("Cholmod_solver rejects a matrix that is not positive definite")
 {
-  Eigen::SparseMatrix<double> lower(2, 2);
-  lower.insert(0, 0) = 1;
-  lower.insert(1, 0) = 2;
-  lower.insert(1, 1) = 1;
-  lower.makeCompressed();
+  Eigen::SparseMatrix<double> lower = lower_triangle(1, 2, 1);
   BS::Cholmod_solver solver;
   CHECK(solver.compute(lower) == Solver_status::NOT_POSITIVE_DEFINITE);
   lower.coeffRef(1, 1) = 8;

@@ -54,7 +54,7 @@ double exact_integral(const Polygon& polygon, const Function& f)
 }
 
 // Returns a polygon in the plane z = 0.3 + x / 2 - y / 4.
-Polygon lifted(const std::vector<std::array<double, 2> >& corners, double scale = 1)
+Polygon in_tilted_plane(const std::vector<std::array<double, 2> >& corners, double scale = 1)
 {
   Polygon polygon;
   for(const auto& c : corners) polygon.push_back({ scale * c[0], scale * c[1], 0.3 + scale * (c[0] / 2 - c[1] / 4) });
@@ -64,12 +64,12 @@ Polygon lifted(const std::vector<std::array<double, 2> >& corners, double scale 
 const std::vector<Polygon>& polygons()
 {
   static const std::vector<Polygon> all = {
-    lifted({ { 0.1, 0.2 }, { 0.9, 0.1 }, { 0.4, 0.8 } }),
-    lifted({ { 0.1, 0.1 }, { 0.7, 0.2 }, { 0.9, 0.8 }, { 0.3, 0.7 } }), // a parallelogram
-    lifted({ { 0.1, 0.1 }, { 0.9, 0.2 }, { 0.8, 0.5 }, { 0.2, 0.9 } }),
-    lifted({ { 0, 0.3 }, { 0.3, 0 }, { 1, 0.2 }, { 0.9, 0.9 }, { 0.1, 1 } }),
-    lifted({ { 0, 0.3 }, { 0.2, 0 }, { 0.8, 0 }, { 1, 0.4 }, { 0.7, 1 }, { 0.1, 0.9 } }),
-    lifted({ { 0, 0 }, { 0.5, 0 }, { 1, 0 }, { 0, 1 } }), // a triangle with an additional corner
+    in_tilted_plane({ { 0.1, 0.2 }, { 0.9, 0.1 }, { 0.4, 0.8 } }),
+    in_tilted_plane({ { 0.1, 0.1 }, { 0.7, 0.2 }, { 0.9, 0.8 }, { 0.3, 0.7 } }), // a parallelogram
+    in_tilted_plane({ { 0.1, 0.1 }, { 0.9, 0.2 }, { 0.8, 0.5 }, { 0.2, 0.9 } }),
+    in_tilted_plane({ { 0, 0.3 }, { 0.3, 0 }, { 1, 0.2 }, { 0.9, 0.9 }, { 0.1, 1 } }),
+    in_tilted_plane({ { 0, 0.3 }, { 0.2, 0 }, { 0.8, 0 }, { 1, 0.4 }, { 0.7, 1 }, { 0.1, 0.9 } }),
+    in_tilted_plane({ { 0, 0 }, { 0.5, 0 }, { 1, 0 }, { 0, 1 } }), // a triangle with an additional corner
   };
   return all;
 }
@@ -127,8 +127,8 @@ TEST_CASE("Quadrature on polygons: points lie in the polygon, and weights are po
 
 TEST_CASE("Quadrature on polygons: a small polygon gets its centroid, and a degenerate polygon no point")
 {
-  for(const Polygon& polygon : { lifted({ { 0.1, 0.2 }, { 0.9, 0.1 }, { 0.4, 0.8 } }, 0.25),
-                                 lifted({ { 0, 0 }, { 1, 0 }, { 0.5, 1 }, { 0, 1 } }, 0.2) }) {
+  for(const Polygon& polygon : { in_tilted_plane({ { 0.1, 0.2 }, { 0.9, 0.1 }, { 0.4, 0.8 } }, 0.25),
+                                 in_tilted_plane({ { 0, 0 }, { 1, 0 }, { 0.5, 1 }, { 0, 1 } }, 0.2) }) {
     const Rule points = rule(polygon);
     REQUIRE(points.size() == 1);
     for(std::size_t a = 0; a < 3; ++a)

@@ -21,10 +21,10 @@ struct Counting_ball
 {
   typedef BS::Any_signed_distance_3::Point_3 Point_3;
   typedef double FT;
-  std::size_t* asked;
+  std::size_t* calls;
   double operator()(const Point_3& p) const
   {
-    ++*asked;
+    ++*calls;
     return std::sqrt(p.x() * p.x() + p.y() * p.y() + p.z() * p.z()) - 1;
   }
 };
@@ -34,8 +34,8 @@ struct Counting_ball
 TEST_CASE("Distance samples: samples of unchanged cells are kept, and the oracle is called for new cells only")
 {
   CGAL::Random random(11);
-  std::size_t asked = 0;
-  const Counting_ball ball = { &asked };
+  std::size_t calls = 0;
+  const Counting_ball ball = { &calls };
   const BS::Any_signed_distance_3 oracle(ball);
   Hierarchy before(some_cells(random, BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.5, { -4, -4, -4 }, { 3, 3, 3 }),
                               { -4, -4, -4 }, { 3, 3, 3 }));
@@ -49,17 +49,17 @@ TEST_CASE("Distance samples: samples of unchanged cells are kept, and the oracle
         is_old = is_old || (before.level(b) == cells.level(c) && before.lattice_point(b) == cells.lattice_point(c));
       if(!is_old) expected.push_back(c);
     }
-    asked = 0;
+    calls = 0;
     CHECK(BS::update_signed_distance<CGAL::Sequential_tag>(oracle, before, cells, samples) == expected);
-    CHECK(asked == expected.size() * std::size_t(BS::Distance_samples::per_cell));
+    CHECK(calls == expected.size() * std::size_t(BS::Distance_samples::per_cell));
     CHECK(samples == BS::sample_signed_distance<CGAL::Sequential_tag>(oracle, cells));
     CHECK_FALSE(expected.empty());
     CHECK(expected.size() < cells.number_of_cells());
     before = cells;
   }
   // If no cell has changed, nothing is sampled.
-  asked = 0;
+  calls = 0;
   CHECK(BS::update_signed_distance<CGAL::Sequential_tag>(oracle, before, before, samples).empty());
-  CHECK(asked == 0);
+  CHECK(calls == 0);
 }
 } // namespace test_sample_signed_distance

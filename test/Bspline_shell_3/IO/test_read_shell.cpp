@@ -5,13 +5,13 @@
 
 #include <CGAL/Bspline_shell_3/IO/checksum.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <CGAL/Random.h>
 
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -19,6 +19,55 @@
 #include <vector>
 
 namespace test_read_shell {
+namespace {
+
+template <typename Any_shell>
+void check_damaged(const std::string& what, const std::string& bytes, const Any_shell& shell)
+{
+  INFO(what);
+  Any_shell unchanged = shell;
+  CHECK(read(bytes, unchanged) == Status::DAMAGED);
+  CHECK(same(unchanged, shell));
+}
+
+// The text of a shell, whose changes are rejected, even if the checksum is correct.
+template <typename Any_shell>
+struct Changed_text
+{
+  const Any_shell shell;
+  const Lines lines;
+  const std::size_t functions, leaves, facets;
+
+  explicit Changed_text(const Any_shell& s)
+    : shell(s), lines(lines_of(written(s, Format::ASCII))), functions(line_that_begins_with(lines, "functions")),
+      leaves(line_that_begins_with(lines, "leaves")), facets(line_that_begins_with(lines, "facet_ranges"))
+  {
+    Any_shell back;
+    REQUIRE(read(text_of(lines), back) == Status::SUCCESS);
+  }
+  void check(const std::string& what, const std::function<void(Lines&)>& change) const
+  {
+    Lines changed = lines;
+    change(changed);
+    check_damaged(what, text_of(changed), shell);
+  }
+  void check_word(const std::string& what, std::size_t line, std::size_t word, const std::string& by) const
+  {
+    check(what, [&](Lines& l) { l.at(line) = with_word(l[line], word, by); });
+  }
+};
+
+void erase(Lines& lines, std::size_t first, std::size_t number = 1)
+{
+  lines.erase(lines.begin() + std::ptrdiff_t(first), lines.begin() + std::ptrdiff_t(first + number));
+}
+void insert(Lines& lines, std::size_t before, const std::string& line)
+{
+  lines.insert(lines.begin() + std::ptrdiff_t(before), line);
+}
+
+} // namespace
+
 TEST_CASE("Shell files: a shell is read exactly as it was written")
 {
   const auto check = [](const auto& shell) {
@@ -34,10 +83,7 @@ TEST_CASE("Shell files: a shell is read exactly as it was written")
     CHECK(text.substr(text.size() - 26) == "checksum " + BS::Checksum::text(BS::shell_checksum(shell)) + "\n");
   };
   namespace P = CGAL::Bspline_shells::parameters;
-  SECTION("a shell of a mesh")
-  {
-    check(CGAL::bspline_shell_3(sphere(2), P::resolution(12)));
-  }
+  SECTION("a shell of a mesh") check(CGAL::bspline_shell_3(sphere(2), P::resolution(12)));
   SECTION("polygons far from the origin")
   {
     check(
@@ -50,18 +96,10 @@ TEST_CASE("Shell files: a shell is read exactly as it was written")
   }
   SECTION("two distant components")
   {
-    Mesh two = sphere(1);
-    CGAL::copy_face_graph(sphere(1, 1, Point_3(40, 50, 60)), two);
-    check(CGAL::bspline_shell_3(two, P::resolution(120)));
+    check(CGAL::bspline_shell_3(joined(sphere(1), sphere(1, 1, Point_3(40, 50, 60))), P::resolution(120)));
   }
-  SECTION("a small shell")
-  {
-    check(small_shell());
-  }
-  SECTION("cells of different sizes, and varying thresholds")
-  {
-    check(small_varying_shell());
-  }
+  SECTION("a small shell") check(small_shell());
+  SECTION("cells of different sizes, and varying thresholds") check(small_varying_shell());
   SECTION("many levels of cells")
   {
     CGAL::Random random(3);
@@ -75,12 +113,8 @@ TEST_CASE("Shell files: a shell is read exactly as it was written")
       Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
       for(Eigen::Index n = 0; n < x.size(); ++n) x[n] = random.get_double(-1, 1);
       field.set_coefficients(x);
-      BS::Shell_report report = small_shell().report();
-      report.cells = field.number_of_cells();
-      report.unknowns = field.number_of_coefficients();
-      report.gamma = report.unit / lattice.spacing();
-      check(
-        Levels_shell(field, BS::Level_range{ -0.5, 0.25 }, std::vector<char>(field.number_of_cells(), 1), {}, report));
+      check(Levels_shell(field, BS::Level_range{ -0.5, 0.25 }, std::vector<char>(field.number_of_cells(), 1), {},
+                         report_of(field)));
     }
   }
   SECTION("extreme numbers")
@@ -100,9 +134,7 @@ TEST_CASE("Shell files: a shell is read exactly as it was written")
   SECTION("no facet ranges, and equal levels")
   {
     const Shell some = small_shell();
-    BS::Level_range levels;
-    levels.min = levels.max = 0;
-    check(Shell(some.field(), levels, some.shell_cells(), {}, some.report()));
+    check(Shell(some.field(), BS::Level_range{ 0, 0 }, some.shell_cells(), {}, some.report()));
   }
 }
 
@@ -150,20 +182,31 @@ TEST_CASE("Shell files: a certified shell that was read can be certified again, 
   }
 }
 
-TEST_CASE("Shell files: a shell is only read into a shell of the same type")
+TEST_CASE("Shell files: a shell is only read into a shell with the same type of thresholds")
 {
-  Shell uniform = other_shell();
+  Shell constant = other_shell();
   Varying_shell varying = small_varying_shell();
-  CGAL::Bspline_shell_3<BS::Hierarchical_bspline_field_3<> > levels;
   for(Format format : { Format::BINARY, Format::ASCII }) {
-    const std::string of_uniform = written(small_shell(), format), of_varying = written(small_varying_shell(), format);
-    CHECK(read(of_varying, uniform) == Status::OTHER_KIND);
-    CHECK(read(of_uniform, varying) == Status::OTHER_KIND);
-    CHECK(read(of_uniform, levels) == Status::OTHER_KIND);
-    CHECK(read(of_varying, levels) == Status::OTHER_KIND);
+    CHECK(read(written(small_varying_shell(), format), constant) == Status::OTHER_KIND);
+    CHECK(read(written(small_shell(), format), varying) == Status::OTHER_KIND);
   }
-  CHECK(same(uniform, other_shell()));
+  CHECK(same(constant, other_shell()));
   CHECK(same(varying, small_varying_shell()));
+}
+
+TEST_CASE("Shell files: files of older versions, with another word for a field on cells of one size, are read")
+{
+  const Shell shell = small_shell();
+  Lines lines = lines_of(written(shell, Format::ASCII));
+  lines[4] = with_word(lines[4], 1, "uniform");
+  Shell from_text, from_bytes;
+  CHECK(read(text_of(lines), from_text) == Status::SUCCESS);
+  CHECK(same(from_text, shell));
+  std::string bytes = written(shell, Format::BINARY);
+  bytes.resize(bytes.size() - 8);
+  bytes.replace(104, 8, as_bytes(std::uint64_t(0)));
+  CHECK(read(bytes + as_bytes(slow_checksum(bytes)), from_bytes) == Status::SUCCESS);
+  CHECK(same(from_bytes, shell));
 }
 
 TEST_CASE("Shell files: a truncated file is rejected, wherever it ends, and the shell is unchanged")
@@ -239,109 +282,77 @@ TEST_CASE("Shell files: any altered byte is detected, and the shell is unchanged
 
 TEST_CASE("Shell files: inconsistent text is rejected, even if its checksum is correct")
 {
-  const Shell shell = small_shell();
-  const Lines intact = lines_of(written(shell, Format::ASCII));
-  Shell target;
-  REQUIRE(read(text_of(intact), target) == Status::SUCCESS);
-  const std::size_t functions = line_that_begins_with(intact, "functions"),
-                    leaves = line_that_begins_with(intact, "leaves"),
-                    facets = line_that_begins_with(intact, "facet_ranges");
-  const auto check = [&](const std::string& what, const Lines& lines) {
-    INFO(what);
-    Shell left = shell;
-    CHECK(read(text_of(lines), left) == Status::DAMAGED);
-    CHECK(same(left, shell));
-  };
-  const auto altered = [&](const std::string& what, std::size_t line, std::size_t word, const std::string& by) {
-    Lines lines = intact;
-    lines.at(line) = with_word(lines[line], word, by);
-    check(what, lines);
-  };
-  altered("a mark", leaves + 1, 4, "2");
-  altered("a leaf elsewhere", leaves + 1, 1, "-2");
-  altered("a leaf far away", leaves + 2, 3, "1000000");
-  altered("a leaf beyond all lattices", leaves + 2, 3, "2000000000");
-  altered("a leaf that is no integer", leaves + 2, 3, "2.5");
-  altered("a function elsewhere", functions + 1, 1, "-3");
+  const Changed_text<Shell> text(small_shell());
+  const std::size_t functions = text.functions, leaves = text.leaves, facets = text.facets,
+                    closing = line_that_begins_with(text.lines, "closing"),
+                    paths = line_that_begins_with(text.lines, "paths");
+  text.check_word("a mark", leaves + 1, 4, "2");
+  text.check_word("a leaf elsewhere", leaves + 1, 1, "-2");
+  text.check_word("a leaf far away", leaves + 2, 3, "1000000");
+  text.check_word("a leaf beyond all lattices", leaves + 2, 3, "2000000000");
+  text.check_word("a leaf that is no integer", leaves + 2, 3, "2.5");
+  text.check_word("a function elsewhere", functions + 1, 1, "-3");
   for(std::size_t line : { functions + 1, leaves + 1, leaves + 2 })
-    for(const char* level : { "1", "-1", "31", "2147483647" }) altered("a level of a lattice", line, 0, level);
+    for(const char* level : { "1", "-1", "31", "2147483647" }) text.check_word("a level of a lattice", line, 0, level);
   for(const char* number : { "nan", "inf", "-inf", "1e999", "0x10", "1,5", "+1", "", "1e", "--1", "1e308" }) {
-    altered("a coefficient", functions + 5, 4, number);
-    altered("a level", 2, 1, number);
-    altered("the spacing", 4, 5, number);
-    if(std::string(number) != "1e308") altered("a facet", facets + 1, 1, number);
+    text.check_word("a coefficient", functions + 5, 4, number);
+    text.check_word("a level", 2, 1, number);
+    text.check_word("the spacing", 4, 5, number);
+    if(std::string(number) != "1e308") text.check_word("a facet", facets + 1, 1, number);
   }
-  altered("levels out of order", 2, 1, "0.34");
-  altered("a facet's range out of order", facets + 1, 0, "0.31");
-  altered("a negative unit", 1, 1, "-1");
-  altered("a spacing of too many bits", 4, 5, "0.10000000000000001");
-  altered("no spacing", 4, 5, "0");
-  altered("an origin of too many bits", 4, 2, "1e-20");
-  altered("another kind of field", 4, 1, "dense");
-  altered("a count of triangles", 3, 1, "-1");
-  const std::size_t closing = line_that_begins_with(intact, "closing"), paths = line_that_begins_with(intact, "paths");
+  text.check_word("levels out of order", 2, 1, "0.34");
+  text.check_word("a facet's range out of order", facets + 1, 0, "0.31");
+  text.check_word("a negative unit", 1, 1, "-1");
+  text.check_word("a spacing of too many bits", 4, 5, "0.10000000000000001");
+  text.check_word("no spacing", 4, 5, "0");
+  text.check_word("an origin of too many bits", 4, 2, "1e-20");
+  text.check_word("another kind of field", 4, 1, "dense");
+  text.check_word("a count of triangles", 3, 1, "-1");
   for(const char* count : { "1", "-1", "18446744073709551615" }) {
-    for(std::size_t word : { 1, 2, 3 }) altered("a count of the closing", closing, word, count);
-    altered("the number of paths", paths, 1, count);
-    altered("a count of the truncation", paths + 2, 0, count);
+    for(std::size_t word : { 1, 2, 3 }) text.check_word("a count of the closing", closing, word, count);
+    text.check_word("the number of paths", paths, 1, count);
+    text.check_word("a count of the truncation", paths + 2, 0, count);
   }
   for(const char* count :
       { "0", "1", "79", "81", "4294967295", "4294967376", "18446744073709551615", "18446744073709551616" }) {
-    altered("the number of functions", functions, 1, count);
-    altered("the number of leaves", leaves, 1, count);
-    altered("the number of facets", facets, 1, count);
+    text.check_word("the number of functions", functions, 1, count);
+    text.check_word("the number of leaves", leaves, 1, count);
+    text.check_word("the number of facets", facets, 1, count);
   }
 
-  Lines lines = intact;
-  lines.erase(lines.begin() + std::ptrdiff_t(functions) + 1);
-  check("a missing line", lines);
-  lines[functions] = "functions 79";
-  check("a missing function", lines);
-  lines = intact;
-  lines.insert(lines.begin() + std::ptrdiff_t(functions) + 1, "0 -5 -1 1 0");
-  lines[functions] = "functions 81";
-  check("a function that acts on no cell", lines);
-  lines = intact;
-  std::swap(lines[functions + 1], lines[functions + 2]);
-  check("functions out of order", lines);
-  lines = intact;
-  std::swap(lines[leaves + 1], lines[leaves + 2]);
-  check("leaves out of order", lines);
-  lines = intact;
-  lines[leaves + 2] = lines[leaves + 1];
-  check("a leaf twice", lines);
-  lines = intact;
-  lines.erase(lines.begin() + std::ptrdiff_t(leaves) + 1);
-  lines[leaves] = "leaves 1";
-  check("a missing leaf", lines);
-  lines = intact;
-  lines.erase(lines.begin() + std::ptrdiff_t(leaves) + 1, lines.begin() + std::ptrdiff_t(leaves) + 3);
-  lines.erase(lines.begin() + std::ptrdiff_t(functions) + 1, lines.begin() + std::ptrdiff_t(leaves));
-  lines[functions] = "functions 0";
-  lines[functions + 1] = "leaves 0";
-  check("no leaf", lines);
+  text.check("a missing line", [&](Lines& l) { erase(l, functions + 1); });
+  text.check("a missing function", [&](Lines& l) {
+    erase(l, functions + 1);
+    l[functions] = "functions 79";
+  });
+  text.check("a function that acts on no cell", [&](Lines& l) {
+    insert(l, functions + 1, "0 -5 -1 1 0");
+    l[functions] = "functions 81";
+  });
+  text.check("functions out of order", [&](Lines& l) { std::swap(l[functions + 1], l[functions + 2]); });
+  text.check("leaves out of order", [&](Lines& l) { std::swap(l[leaves + 1], l[leaves + 2]); });
+  text.check("a leaf twice", [&](Lines& l) { l[leaves + 2] = l[leaves + 1]; });
+  text.check("a missing leaf", [&](Lines& l) {
+    erase(l, leaves + 1);
+    l[leaves] = "leaves 1";
+  });
+  text.check("no leaf", [&](Lines& l) {
+    erase(l, leaves + 1, 2);
+    erase(l, functions + 1, leaves - functions - 1);
+    l[functions] = "functions 0";
+    l[functions + 1] = "leaves 0";
+  });
   for(std::size_t line : { std::size_t(1), functions, functions + 1, leaves, leaves + 1, facets, facets + 1 }) {
-    for(const char* more : { " ", " 1", "\r", "\t" }) {
-      lines = intact;
-      lines[line] += more;
-      check("something after a line", lines);
-    }
-    lines = intact;
-    lines[line].insert(lines[line].find(' '), " ");
-    check("two blanks", lines);
-    lines = intact;
-    lines[line] = " " + lines[line];
-    check("a blank first", lines);
-    lines = intact;
-    lines.insert(lines.begin() + std::ptrdiff_t(line), "");
-    check("an empty line", lines);
+    for(const char* more : { " ", " 1", "\r", "\t" })
+      text.check("something after a line", [&](Lines& l) { l[line] += more; });
+    text.check("two blanks", [&](Lines& l) { l[line].insert(l[line].find(' '), " "); });
+    text.check("a blank first", [&](Lines& l) { l[line] = " " + l[line]; });
+    text.check("an empty line", [&](Lines& l) { insert(l, line, ""); });
   }
-  lines = intact;
-  lines[1] = "unit " + std::string(100000, '0') + "1";
-  check("a line longer than any should be", lines);
+  text.check("a line longer than any should be", [](Lines& l) { l[1] = "unit " + std::string(100000, '0') + "1"; });
 
   // Data without redundancy may differ; the file then contains another shell.
-  lines = intact;
+  Lines lines = text.lines;
   lines[3] = "triangles 21 components 2";
   Shell other;
   CHECK(read(text_of(lines), other) == Status::SUCCESS);
@@ -350,61 +361,39 @@ TEST_CASE("Shell files: inconsistent text is rejected, even if its checksum is c
 
 TEST_CASE("Shell files: leaves that are not a graded hierarchy are rejected, even if the checksum is correct")
 {
-  const Varying_shell shell = small_varying_shell();
-  const Lines intact = lines_of(written(shell, Format::ASCII));
-  const std::size_t functions = line_that_begins_with(intact, "functions"),
-                    leaves = line_that_begins_with(intact, "leaves");
-  const auto check = [&](const std::string& what, const Lines& lines) {
-    INFO(what);
-    Varying_shell left = shell;
-    CHECK(read(text_of(lines), left) == Status::DAMAGED);
-    CHECK(same(left, shell));
-  };
-  Varying_shell back;
-  REQUIRE(read(text_of(intact), back) == Status::SUCCESS);
-  Lines lines = intact;
-  lines.erase(lines.begin() + std::ptrdiff_t(leaves) + 5);
-  lines[leaves] = "leaves 25";
-  check("an eighth of a cell is missing", lines);
-  lines = intact;
-  lines.insert(lines.begin() + std::ptrdiff_t(leaves) + 1, "0 0 1 0 1");
-  lines[leaves] = "leaves 27";
-  check("a leaf that is split", lines);
-  lines = intact;
-  std::rotate(lines.begin() + std::ptrdiff_t(leaves) + 1, lines.begin() + std::ptrdiff_t(leaves) + 3,
-              lines.begin() + std::ptrdiff_t(leaves) + 27);
-  check("fine leaves first", lines);
-  lines = intact;
-  std::rotate(lines.begin() + std::ptrdiff_t(functions) + 1, lines.begin() + std::ptrdiff_t(functions) + 2,
-              lines.begin() + std::ptrdiff_t(leaves));
-  check("functions out of order", lines);
-  lines = intact;
-  lines[functions + 1] = with_word(lines[functions + 1], 0, "0");
-  check("a function of another level", lines);
+  const Changed_text<Varying_shell> text(small_varying_shell());
+  const std::size_t functions = text.functions, leaves = text.leaves;
+  const auto at = [](Lines& l, std::size_t line) { return l.begin() + std::ptrdiff_t(line); };
+  text.check("an eighth of a cell is missing", [&](Lines& l) {
+    erase(l, leaves + 5);
+    l[leaves] = "leaves 25";
+  });
+  text.check("a leaf that is split", [&](Lines& l) {
+    insert(l, leaves + 1, "0 0 1 0 1");
+    l[leaves] = "leaves 27";
+  });
+  text.check("fine leaves first",
+             [&](Lines& l) { std::rotate(at(l, leaves + 1), at(l, leaves + 3), at(l, leaves + 27)); });
+  text.check("functions out of order",
+             [&](Lines& l) { std::rotate(at(l, functions + 1), at(l, functions + 2), at(l, leaves)); });
+  text.check_word("a function of another level", functions + 1, 0, "0");
   for(std::size_t word : { 4, 5, 6 })
-    for(const char* number : { "nan", "inf", "1e308", "x" }) {
-      lines = intact;
-      lines[functions + 3] = with_word(lines[functions + 3], word, number);
-      check("a coefficient of the field or of a threshold", lines);
-    }
-  lines = intact;
-  lines[functions + 3].erase(lines[functions + 3].rfind(' '));
-  check("no coefficient of the outer threshold", lines);
-  for(const char* text : { "thickness -1", "thickness nan", "thickness", "levels -1 1" }) {
-    lines = intact;
-    lines[2] = text;
-    check(text, lines);
-  }
+    for(const char* number : { "nan", "inf", "1e308", "x" })
+      text.check_word("a coefficient of the field or of a threshold", functions + 3, word, number);
+  text.check("no coefficient of the outer threshold",
+             [&](Lines& l) { l[functions + 3].erase(l[functions + 3].rfind(' ')); });
+  for(const char* line : { "thickness -1", "thickness nan", "thickness", "levels -1 1" })
+    text.check(line, [&](Lines& l) { l[2] = line; });
 
   // The hierarchy lacks the rings around a split cell: the first root cell is split twice, but not its neighbors.
   typedef CGAL::Bspline_shell_3<BS::Hierarchical_bspline_field_3<> > Levels_shell;
-  lines = { "cubic_bspline_shell 5 ascii",
-            "unit 1",
-            "levels -1 1",
-            "triangles 1 components 1",
-            intact[4],
-            "functions 0",
-            "leaves 17" };
+  Lines lines = { "cubic_bspline_shell 5 ascii",
+                  "unit 1",
+                  "levels -1 1",
+                  "triangles 1 components 1",
+                  text.lines[4],
+                  "functions 0",
+                  "leaves 17" };
   for(const char* roots : { "0 1 0 0 1", "0 2 0 0 1" }) lines.push_back(roots);
   for(int level = 1; level < 3; ++level)
     for(int o = level == 1 ? 1 : 0; o < 8; ++o)
@@ -412,9 +401,9 @@ TEST_CASE("Shell files: leaves that are not a graded hierarchy are rejected, eve
                       + std::to_string(o >> 2) + " 1");
   for(const char* line : { "facet_ranges 0", "closing 0 0 0", "paths 0", "truncation", "0 0 0 0 0 0" })
     lines.push_back(line);
-  Levels_shell none;
+  Shell none;
   CHECK(read(text_of(lines), none) == Status::DAMAGED);
-  BS::Lattice_3 lattice = shell.field().cells().lattice();
+  const BS::Lattice_3 lattice = text.shell.field().cells().lattice();
   std::vector<std::vector<std::uint64_t> > keys(3);
   for(std::size_t n = 7; n < lines.size() - 5; ++n) {
     int level, i, j, k;
@@ -428,12 +417,8 @@ TEST_CASE("Shell files: inconsistent binary data are rejected, even if their che
 {
   const Shell shell = small_shell();
   const std::string intact = written(shell, Format::BINARY);
-  const auto check = [&](const std::string& what, std::string bytes) {
-    INFO(what);
-    bytes += as_bytes(slow_checksum(bytes));
-    Shell left = shell;
-    CHECK(read(bytes, left) == Status::DAMAGED);
-    CHECK(same(left, shell));
+  const auto check = [&](const std::string& what, const std::string& bytes) {
+    check_damaged(what, bytes + as_bytes(slow_checksum(bytes)), shell);
   };
   const std::string body = intact.substr(0, intact.size() - 8);
   const auto altered = [&](const std::string& what, std::size_t offset, const std::string& by) {

@@ -76,6 +76,19 @@ void append(std::string& bytes, const std::vector<T>& numbers)
   bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T));
 }
 
+// Returns which coefficient of a cell belongs to the control point at a position, or -1.
+template <typename Cell>
+int control_point(const Cell& cell, const double* position)
+{
+  int index = 0;
+  for(std::size_t a = 0; a < 3; ++a) {
+    const double step = 3 * (position[a] - cell.corner()[a]) / cell.width();
+    if(!(std::abs(step - std::round(step)) < 1e-9 && step > -0.5 && step < 3.5)) return -1;
+    index += int(std::round(step)) << 2 * a;
+  }
+  return index;
+}
+
 } // namespace
 
 TEST_CASE("VTU: a file has the cells of the shell as Bezier hexahedra, with values of f at their control points")
@@ -117,14 +130,8 @@ TEST_CASE("VTU: a file has the cells of the shell as Bezier hexahedra, with valu
         REQUIRE(point >= 0);
         REQUIRE(std::size_t(point) < grid.points);
         different.insert(point);
-        // Find the coefficient of the control point at this position.
-        int index = 0;
-        for(int a = 0, stride = 1; a < 3; ++a, stride *= 4) {
-          const double step = 3 * (grid.positions[std::size_t(3 * point + a)] - cell.corner()[std::size_t(a)])
-                              / cell.width();
-          points = points && std::abs(step - std::round(step)) < 1e-9 && step > -0.5 && step < 3.5;
-          index += stride * int(std::round(step));
-        }
+        const int index = control_point(cell, &grid.positions[3 * std::size_t(point)]);
+        REQUIRE(index >= 0);
         values = values && grid.f[std::size_t(point)] == cell.coefficients()[index];
       }
       points = points && different.size() == 64;
@@ -206,13 +213,8 @@ TEST_CASE("VTU: cells may have different sizes, and control points have the valu
     const auto cell = field.cell(c);
     for(std::size_t v = 0; v < 64; ++v) {
       const std::size_t point = std::size_t(grid.connectivity[64 * n + v]);
-      int index = 0;
-      for(int a = 0, stride = 1; a < 3; ++a, stride *= 4) {
-        const double step = 3 * (grid.positions[3 * point + std::size_t(a)] - cell.corner()[std::size_t(a)])
-                            / cell.width();
-        wrong += std::abs(step - std::round(step)) > 1e-9;
-        index += stride * int(std::round(step));
-      }
+      const int index = control_point(cell, &grid.positions[3 * point]);
+      REQUIRE(index >= 0);
       wrong += grid.f[point] != cell.coefficients()[index];
       wrong += grid.inner[point] != shell.inner_threshold().field().cell(c).coefficients()[index];
       wrong += grid.outer[point] != shell.outer_threshold().field().cell(c).coefficients()[index];

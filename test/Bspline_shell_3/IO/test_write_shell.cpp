@@ -36,23 +36,20 @@ TEST_CASE("Shell files: the text follows the format")
   const Lines lines = lines_of(text);
   CHECK(text_of(lines) == text);
   REQUIRE(lines.size() == 5 + 1 + 80 + 1 + 2 + 1 + 3 + 4);
-  CHECK(lines[0] == "cubic_bspline_shell 5 ascii");
-  CHECK(lines[1] == "unit 3.7000000000000002");
-  CHECK(lines[2] == "levels -0.10000000000000001 0.33333333333333331");
-  CHECK(lines[3] == "triangles 20 components 1");
+  CHECK(Lines(lines.begin(), lines.begin() + 4)
+        == Lines{ "cubic_bspline_shell 5 ascii", "unit 3.7000000000000002",
+                  "levels -0.10000000000000001 0.33333333333333331", "triangles 20 components 1" });
   CHECK(lines[5] == "functions 80");
-  CHECK(lines[86] == "leaves 2");
-  CHECK(lines[87] == "0 -1 0 2 0");
-  CHECK(lines[88] == "0 0 0 2 1");
-  CHECK(lines[89] == "facet_ranges 3");
-  CHECK(lines[90] == "-0.050000000000000003 0.29999999999999999");
-  CHECK(Lines(lines.begin() + 93, lines.end()) == Lines{ "closing 0 0 0", "paths 0", "truncation", "0 0 0 0 0 0" });
+  const std::string range = "-0.050000000000000003 0.29999999999999999";
+  CHECK(Lines(lines.begin() + 86, lines.end())
+        == Lines{ "leaves 2", "0 -1 0 2 0", "0 0 0 2 1", "facet_ranges 3", range, range, range, "closing 0 0 0",
+                  "paths 0", "truncation", "0 0 0 0 0 0" });
 
   std::string word, kind;
   double origin[3], spacing;
   std::istringstream(lines[4]) >> word >> kind >> origin[0] >> origin[1] >> origin[2] >> spacing;
-  CHECK(kind == "uniform");
-  CHECK(spacing == field.cells().width());
+  CHECK(kind == "hierarchical");
+  CHECK(spacing == field.cells().lattice().spacing());
   // Compute f from the functions alone, as a sum of B-splines centered at lattice points.
   CGAL::Random random(5);
   for(Field::Cell_index c = 0; c < 2; ++c)
@@ -85,10 +82,8 @@ TEST_CASE("Shell files: the text of a hierarchy with varying thresholds follows 
   CHECK(lines[0] == "cubic_bspline_shell 5 ascii");
   CHECK(lines[2] == "thickness 0.29999999999999999");
   CHECK(lines[5] == "functions " + std::to_string(functions));
-  CHECK(lines[6 + functions] == "leaves 26");
-  CHECK(lines[7 + functions] == "0 1 1 0 0");
-  CHECK(lines[8 + functions] == "0 2 1 0 1");
-  CHECK(lines[9 + functions] == "1 -4 2 0 1");
+  const auto leaves = lines.begin() + std::ptrdiff_t(6 + functions);
+  CHECK(Lines(leaves, leaves + 4) == Lines{ "leaves 26", "0 1 1 0 0", "0 2 1 0 1", "1 -4 2 0 1" });
 
   std::string word, kind;
   double origin[3], spacing;
@@ -164,7 +159,7 @@ TEST_CASE("Shell files: the binary data follow the format")
   CHECK(at<std::uint64_t>(bytes, 80) == 80);
   CHECK(at<std::uint64_t>(bytes, 88) == 2);
   CHECK(at<std::uint64_t>(bytes, 96) == 3);
-  CHECK(at<std::uint64_t>(bytes, 104) == 0);
+  CHECK(at<std::uint64_t>(bytes, 104) == 1);
   CHECK(at<char>(bytes, 112) == 0);
   CHECK(at<std::int32_t>(bytes, 113) == -1);
   CHECK(at<std::int32_t>(bytes, 121) == 2);
@@ -257,17 +252,12 @@ TEST_CASE("Shell files: an invalid shell is not written")
     CHECK(out.str().empty());
   };
   check(Shell());
-  const Mesh open_mesh = []() {
-    Mesh m = sphere(0);
-    m.remove_face(*m.faces().begin());
-    m.collect_garbage();
-    return m;
-  }();
+  Mesh open_mesh = sphere(0);
+  open_mesh.remove_face(*open_mesh.faces().begin());
+  open_mesh.collect_garbage();
   check(CGAL::bspline_shell_3(open_mesh, CGAL::Bspline_shells::parameters::resolution(6)));
   BS::Shell_report report = some.report();
-  BS::Level_range levels;
-  levels.min = -1;
-  levels.max = 1;
+  const BS::Level_range levels{ -1, 1 };
   check(Shell(Field(), levels, {}, {}, report));                                         // no cells
   check(Shell(some.field(), levels, { 1 }, {}, report));                                 // fewer marks than cells
   check(Shell(some.field(), BS::Level_range(), some.shell_cells(), {}, report));         // empty levels

@@ -1,10 +1,9 @@
 // Local_gap_3.h: walls and gaps of known width, and arbitrary meshes compared with a search through pairs of points.
 #include <CGAL/Bspline_shell_3/Mesh/Local_gap_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
-#include "test_meshes.h"
+#include "input_of_mesh.h"
 
 #include <CGAL/Random.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <algorithm>
 #include <array>
@@ -19,15 +18,6 @@ namespace BS = CGAL::Bspline_shells;
 typedef BS::Local_gap_3::Point Point;
 
 const double infinity = std::numeric_limits<double>::infinity();
-
-BS::Input_mesh_3 input_of(const Mesh& mesh)
-{
-  BS::Input_mesh_3 input;
-  BS::Input_mesh_3::Tolerated_defects tolerated;
-  tolerated.singular_vertices = true;
-  REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), tolerated) == BS::Shell_status::SUCCESS);
-  return input;
-}
 
 Point random_point(CGAL::Random& random, const std::array<Point_3, 3>& t)
 {
@@ -67,9 +57,8 @@ TEST_CASE("Local gap: a plate has its thickness behind the large sides, and no g
 
 TEST_CASE("Local gap: two boxes have their distance where they face each other, and a larger gap beside this area")
 {
-  Mesh mesh = box(Point_3(0, 0, 0), Point_3(4, 4, 1));
-  CGAL::copy_face_graph(box(Point_3(1, 1, 1.25), Point_3(2, 2, 3)), mesh);
-  const BS::Input_mesh_3 input = input_of(mesh);
+  const BS::Input_mesh_3 input = input_of(
+    joined(box(Point_3(0, 0, 0), Point_3(4, 4, 1)), box(Point_3(1, 1, 1.25), Point_3(2, 2, 3))));
   const BS::Local_gap_3 gap(input);
   for(auto f : input.mesh().faces()) {
     const Point n = unit_normal(input.triangle(f));

@@ -4,11 +4,10 @@
 #include <CGAL/Bspline_shell_3/Mesh/Mesh_signed_distance_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/Fit/sample_signed_distance.h>
+#include "exact_vectors.h"
 #include "random_hierarchies.h"
-#include "test_meshes.h"
+#include "input_of_mesh.h"
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Random.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -21,70 +20,30 @@ namespace test_Mesh_signed_distance_3 {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
-typedef CGAL::Exact_rational Rational;
-typedef std::array<Rational, 3> Exact_vector;
 
 const double eps = std::numeric_limits<double>::epsilon();
-
-BS::Input_mesh_3 input_of(const Mesh& mesh)
-{
-  BS::Input_mesh_3::Tolerated_defects tolerated;
-  tolerated.singular_vertices = tolerated.self_intersections = true;
-  BS::Input_mesh_3 input;
-  REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), tolerated) == BS::Shell_status::SUCCESS);
-  return input;
-}
-
-Mesh turned_inside_out(Mesh mesh)
-{
-  CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
-  return mesh;
-}
-
-Mesh both(Mesh a, const Mesh& b)
-{
-  a.join(b);
-  return a;
-}
-
-Exact_vector exact(const Point_3& p)
-{
-  return { Rational(p.x()), Rational(p.y()), Rational(p.z()) };
-}
-Exact_vector minus(const Exact_vector& p, const Exact_vector& q)
-{
-  return { p[0] - q[0], p[1] - q[1], p[2] - q[2] };
-}
-Exact_vector cross(const Exact_vector& u, const Exact_vector& v)
-{
-  return { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
-}
-Rational dot(const Exact_vector& u, const Exact_vector& v)
-{
-  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
 
 // Returns the least distance from all facets: from the plane if the foot of the perpendicular is in the facet, and from
 // the sides.
 double brute_force_distance(const BS::Input_mesh_3& input, const Point_3& point)
 {
-  const Exact_vector p = exact(point);
+  const Exact_point p = exact(point);
   Rational least(-1);
   const auto include = [&](const Rational& d) {
     if(least < 0 || d < least) least = d;
   };
   for(auto f : input.mesh().faces()) {
     const auto t = input.triangle(f);
-    const Exact_vector v[3] = { exact(t[0]), exact(t[1]), exact(t[2]) };
-    const Exact_vector n = cross(minus(v[1], v[0]), minus(v[2], v[0]));
+    const Exact_point v[3] = { exact(t[0]), exact(t[1]), exact(t[2]) };
+    const Exact_point n = cross(minus(v[1], v[0]), minus(v[2], v[0]));
     bool above = true;
     for(int e = 0; e < 3; ++e) {
-      const Exact_vector edge = minus(v[(e + 1) % 3], v[e]), to_p = minus(p, v[e]);
+      const Exact_point edge = minus(v[(e + 1) % 3], v[e]), to_p = minus(p, v[e]);
       above = above && dot(n, cross(edge, to_p)) >= 0;
       Rational s = dot(edge, to_p) / dot(edge, edge);
       if(s < 0) s = 0;
       if(s > 1) s = 1;
-      const Exact_vector d = minus(to_p, { s * edge[0], s * edge[1], s * edge[2] });
+      const Exact_point d = minus(to_p, { s * edge[0], s * edge[1], s * edge[2] });
       include(dot(d, d));
     }
     if(above) {
@@ -146,11 +105,11 @@ double distance_to_box(const Point_3& p, const Point_3& a, const Point_3& b)
   return inside > 0 ? std::sqrt(outside) : inside;
 }
 
-BS::Cell_complex_3 all_cells(const BS::Input_mesh_3& input, double spacing, int rings)
+Root_cells all_cells(const BS::Input_mesh_3& input, double spacing, int rings)
 {
   const BS::Lattice_3 lattice(input.bbox(), spacing);
-  return BS::Cell_complex_3(lattice,
-                            BS::dilate(BS::cells_entered_by_mesh<CGAL::Sequential_tag>(input, lattice), -rings, rings));
+  return Root_cells(lattice,
+                    BS::dilate(BS::cells_entered_by_mesh<CGAL::Sequential_tag>(input, lattice), -rings, rings));
 }
 
 // The samples that are computed together, compared with single queries.
@@ -159,13 +118,12 @@ struct Comparison
   std::size_t samples = 0, negative = 0, positive = 0, wrong_sign = 0, wrong_distance = 0;
 };
 
-template <typename Cells>
-Comparison compare(const BS::Mesh_signed_distance_3& oracle, const Cells& cells, const std::vector<double>& samples)
+Comparison compare(const BS::Mesh_signed_distance_3& oracle, const Hierarchy& cells, const std::vector<double>& samples)
 {
   Comparison c;
   c.samples = samples.size();
   for(std::size_t n = 0; n < samples.size(); ++n) {
-    const Point_3 p = BS::Distance_samples::point<Point_3>(cells, typename Cells::Index(n / 8), int(n % 8));
+    const Point_3 p = BS::Distance_samples::point<Point_3>(cells, Hierarchy::Index(n / 8), int(n % 8));
     const double expected = oracle(p);
     ++(expected < 0 ? c.negative : c.positive);
     c.wrong_sign += (expected < 0) != (samples[n] < 0);
@@ -174,8 +132,7 @@ Comparison compare(const BS::Mesh_signed_distance_3& oracle, const Cells& cells,
   return c;
 }
 
-template <typename Cells>
-void check_samples(const BS::Mesh_signed_distance_3& oracle, const Cells& cells)
+void check_samples(const BS::Mesh_signed_distance_3& oracle, const Hierarchy& cells)
 {
   const std::vector<double> samples = BS::sample_signed_distance<CGAL::Sequential_tag>(oracle, cells);
   REQUIRE(samples.size() == 8 * cells.number_of_cells());
@@ -191,7 +148,7 @@ void check_samples(const Mesh& mesh, double spacing, int rings)
 {
   const BS::Input_mesh_3 input = input_of(mesh);
   const BS::Mesh_signed_distance_3 oracle(input);
-  const BS::Cell_complex_3 cells = all_cells(input, spacing, rings);
+  const Root_cells cells = all_cells(input, spacing, rings);
   check_samples(oracle, cells);
   // The same check on leaves of different sizes.
   CGAL::Random random(7);
@@ -220,10 +177,8 @@ Mesh star(int points, double inner, double outer, double zigzag, double height)
 // relative width.
 void add_needle(Mesh& mesh, Mesh::Face_index f, double width)
 {
-  const auto h = mesh.halfedge(f);
-  const Point_3 p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)),
-                r = mesh.point(mesh.target(mesh.next(h)));
-  const auto center = mesh.target(CGAL::Euler::add_center_vertex(h, mesh));
+  const auto [p, q, r] = corners(mesh, f);
+  const auto center = mesh.target(CGAL::Euler::add_center_vertex(mesh.halfedge(f), mesh));
   mesh.point(center) = CGAL::midpoint(p, q) + width * (r - CGAL::midpoint(p, q));
 }
 
@@ -240,7 +195,7 @@ Mesh with_needles(Mesh mesh, double width)
 void check_sides(const Mesh& mesh, double coordinates = 1)
 {
   for(bool inside_out : { false, true }) {
-    const BS::Input_mesh_3 input = input_of(inside_out ? turned_inside_out(mesh) : mesh);
+    const BS::Input_mesh_3 input = input_of(inside_out ? reversed(mesh) : mesh);
     const BS::Mesh_signed_distance_3 oracle(input);
     BS::Mesh_signed_distance_3::Hint hint;
     CGAL::Random random(8);
@@ -284,21 +239,12 @@ struct Ball
 
 TEST_CASE("Signed distance: distance and sign agree with an exact search through all facets")
 {
-  SECTION("torus")
-  {
-    check_against_brute_force(torus(1, 0.5, 8, 6), 60, 1.5);
-  }
-  SECTION("inside out")
-  {
-    check_against_brute_force(turned_inside_out(torus(1, 0.5, 8, 6)), 60, 1.5);
-  }
-  SECTION("with a cavity")
-  {
-    check_against_brute_force(both(sphere(0), turned_inside_out(sphere(0, 0.6))), 80, 1.);
-  }
+  SECTION("torus") check_against_brute_force(torus(1, 0.5, 8, 6), 60, 1.5);
+  SECTION("inside out") check_against_brute_force(reversed(torus(1, 0.5, 8, 6)), 60, 1.5);
+  SECTION("with a cavity") check_against_brute_force(joined(sphere(0), reversed(sphere(0, 0.6))), 80, 1.);
   SECTION("two components")
   {
-    check_against_brute_force(both(sphere(0, 0.7, Point_3(-1, 0, 0)), box(Point_3(0, -1, -1), Point_3(1, 1, 1))), 80,
+    check_against_brute_force(joined(sphere(0, 0.7, Point_3(-1, 0, 0)), box(Point_3(0, -1, -1), Point_3(1, 1, 1))), 80,
                               1.5);
   }
 }
@@ -321,10 +267,8 @@ TEST_CASE(
   const Mesh mesh = sphere(3);
   double inscribed = 1;
   for(auto f : mesh.faces()) {
-    auto h = mesh.halfedge(f);
-    const Kernel::Plane_3 plane(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                                mesh.point(mesh.target(mesh.next(h))));
-    inscribed = (std::min)(inscribed, std::sqrt(CGAL::squared_distance(plane, Point_3(0, 0, 0))));
+    const auto [p, q, r] = corners(mesh, f);
+    inscribed = (std::min)(inscribed, std::sqrt(CGAL::squared_distance(Kernel::Plane_3(p, q, r), Point_3(0, 0, 0))));
   }
   REQUIRE(inscribed > 0.98);
   const BS::Input_mesh_3 input = input_of(mesh);
@@ -342,7 +286,7 @@ TEST_CASE("Signed distance: the distance is zero at points of the mesh, and has 
 {
   const Point_3 a(-1, -0.5, -0.3), b(1, 0.7, 0.5);
   for(bool inside_out : { false, true }) {
-    const BS::Input_mesh_3 input = input_of(inside_out ? turned_inside_out(box(a, b)) : box(a, b));
+    const BS::Input_mesh_3 input = input_of(inside_out ? reversed(box(a, b)) : box(a, b));
     const BS::Mesh_signed_distance_3 oracle(input);
     CGAL::Random random(4);
     for(int n = 0; n < 200; ++n) {
@@ -373,10 +317,10 @@ TEST_CASE("Signed distance: the distance is zero at points of the mesh, and has 
 TEST_CASE("Signed distance: turning a mesh inside out negates the distance")
 {
   const Mesh mesh = torus(1, 0.5, 16, 12);
-  const BS::Input_mesh_3 input = input_of(mesh), reversed = input_of(turned_inside_out(mesh));
+  const BS::Input_mesh_3 input = input_of(mesh), reversed_input = input_of(reversed(mesh));
   REQUIRE(input.faces_outwards());
-  REQUIRE_FALSE(reversed.faces_outwards());
-  const BS::Mesh_signed_distance_3 oracle(input), opposite(reversed);
+  REQUIRE_FALSE(reversed_input.faces_outwards());
+  const BS::Mesh_signed_distance_3 oracle(input), opposite(reversed_input);
   CGAL::Random random(5);
   for(int n = 0; n < 500; ++n) {
     const Point_3 p(random.get_double(-2, 2), random.get_double(-2, 2), random.get_double(-1, 1));
@@ -407,83 +351,34 @@ TEST_CASE("Signed distance: the start of the search does not affect the result")
 
 TEST_CASE("Signed distance: the closest point determines the side, even at creases, saddles, needles and thin parts")
 {
-  SECTION("smooth")
-  {
-    check_sides(sphere(1));
-  }
-  SECTION("saddles")
-  {
-    check_sides(torus(1, 0.5, 8, 6));
-  }
-  SECTION("creases of all kinds")
-  {
-    check_sides(star(5, 0.3, 1, 0.2, 0.5));
-  }
-  SECTION("sharp creases")
-  {
-    check_sides(star(7, 0.2, 1, 0, 0.01));
-  }
-  SECTION("very sharp creases")
-  {
-    check_sides(star(4, 0.9, 1, 0, 1e-4));
-  }
-  SECTION("spikes")
-  {
-    check_sides(star(3, 0.01, 1, 0.01, 0.02));
-  }
-  SECTION("deep folds")
-  {
-    check_sides(star(6, 0.1, 1, 0.3, 0.05));
-  }
-  SECTION("a plate")
-  {
-    check_sides(box(Point_3(-1, -1, 0), Point_3(1, 1, 1e-3)));
-  }
-  SECTION("a thin plate")
-  {
-    check_sides(box(Point_3(-1, -0.7, 0.3), Point_3(1, 0.7, 0.3 + 1e-6)));
-  }
-  SECTION("a rod")
-  {
-    check_sides(box(Point_3(-1, 0.1, 0.3), Point_3(1, 0.1 + 1e-4, 0.3 + 1e-4)));
-  }
-  SECTION("needles")
-  {
-    check_sides(with_needles(sphere(1), 1e-4));
-  }
-  SECTION("thin needles")
-  {
-    check_sides(with_needles(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), 1e-8));
-  }
-  SECTION("needles at creases")
-  {
-    check_sides(with_needles(star(5, 0.3, 1, 0.2, 0.5), 1e-6));
-  }
-  SECTION("thin needles at sharp creases")
-  {
-    check_sides(with_needles(star(5, 0.3, 1, 0, 0.01), 1e-8));
-  }
-  SECTION("needles as thin as one ulp, at creases")
-  {
-    check_sides(with_needles(star(5, 0.3, 1, 0, 0.5), 1e-14));
-  }
-  SECTION("a cavity")
-  {
-    check_sides(both(sphere(1), turned_inside_out(sphere(1, 0.99))));
-  }
+  SECTION("smooth") check_sides(sphere(1));
+  SECTION("saddles") check_sides(torus(1, 0.5, 8, 6));
+  SECTION("creases of all kinds") check_sides(star(5, 0.3, 1, 0.2, 0.5));
+  SECTION("sharp creases") check_sides(star(7, 0.2, 1, 0, 0.01));
+  SECTION("very sharp creases") check_sides(star(4, 0.9, 1, 0, 1e-4));
+  SECTION("spikes") check_sides(star(3, 0.01, 1, 0.01, 0.02));
+  SECTION("deep folds") check_sides(star(6, 0.1, 1, 0.3, 0.05));
+  SECTION("a plate") check_sides(box(Point_3(-1, -1, 0), Point_3(1, 1, 1e-3)));
+  SECTION("a thin plate") check_sides(box(Point_3(-1, -0.7, 0.3), Point_3(1, 0.7, 0.3 + 1e-6)));
+  SECTION("a rod") check_sides(box(Point_3(-1, 0.1, 0.3), Point_3(1, 0.1 + 1e-4, 0.3 + 1e-4)));
+  SECTION("needles") check_sides(with_needles(sphere(1), 1e-4));
+  SECTION("thin needles") check_sides(with_needles(box(Point_3(-1, -1, -1), Point_3(1, 1, 1)), 1e-8));
+  SECTION("needles at creases") check_sides(with_needles(star(5, 0.3, 1, 0.2, 0.5), 1e-6));
+  SECTION("thin needles at sharp creases") check_sides(with_needles(star(5, 0.3, 1, 0, 0.01), 1e-8));
+  SECTION("needles as thin as one ulp, at creases") check_sides(with_needles(star(5, 0.3, 1, 0, 0.5), 1e-14));
+  SECTION("a cavity") check_sides(joined(sphere(1), reversed(sphere(1, 0.99))));
   SECTION("far from the origin")
   {
-    for(Mesh mesh : { torus(1, 0.5, 8, 6), star(7, 0.2, 1, 0, 0.01), with_needles(sphere(1), 1e-4) }) {
-      for(auto v : mesh.vertices()) mesh.point(v) = mesh.point(v) + Vector_3(300, -1000, 70);
-      check_sides(mesh, 1000);
-    }
+    for(const Mesh& mesh : { torus(1, 0.5, 8, 6), star(7, 0.2, 1, 0, 0.01), with_needles(sphere(1), 1e-4) })
+      check_sides(mapped(mesh, [](const Point_3& p) { return p + Vector_3(300, -1000, 70); }), 1000);
   }
 }
 
 TEST_CASE("Signed distance: if a mesh intersects itself, the closest facet determines the side")
 {
   // Two boxes overlap.
-  const Mesh mesh = both(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), box(Point_3(0.5, 0.2, 0.3), Point_3(1.6, 0.7, 0.8)));
+  const Mesh mesh = joined(box(Point_3(0, 0, 0), Point_3(1, 1, 1)),
+                           box(Point_3(0.5, 0.2, 0.3), Point_3(1.6, 0.7, 0.8)));
   const BS::Input_mesh_3 input = input_of(mesh);
   const BS::Mesh_signed_distance_3 oracle(input);
   BS::Mesh_signed_distance_3::Hint hint;
@@ -504,12 +399,12 @@ TEST_CASE("Signed distance: if a mesh intersects itself, the closest facet deter
 TEST_CASE("Distance samples: all samples together form a uniform lattice, with two samples per cell and axis")
 {
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 0.5);
-  const BS::Cell_complex_3 cells(lattice, BS::dilate({ BS::Lattice_key::encode(0, 0, 0) }, 0, 1));
+  const Hierarchy cells(Root_cells(lattice, BS::dilate({ BS::Lattice_key::encode(0, 0, 0) }, 0, 1)));
   std::vector<std::array<double, 3> > expected, points;
   for(double z : { 1, 3, 5, 7 })
     for(double y : { 1, 3, 5, 7 })
       for(double x : { 1, 3, 5, 7 }) expected.push_back({ x / 8, y / 8, z / 8 });
-  for(BS::Cell_complex_3::Index c = 0; c < 8; ++c)
+  for(Hierarchy::Index c = 0; c < 8; ++c)
     for(int s = 0; s < BS::Distance_samples::per_cell; ++s) {
       const Point_3 p = BS::Distance_samples::point<Point_3>(cells, c, s);
       CHECK(cells.locate(p) == c);
@@ -522,47 +417,29 @@ TEST_CASE("Distance samples: all samples together form a uniform lattice, with t
 
 TEST_CASE("Distance samples: samples of many cells agree with single queries", "[slow]")
 {
-  SECTION("a torus")
-  {
-    check_samples(torus(1, 0.5, 24, 16), 0.13, 2);
-  }
-  SECTION("inside out")
-  {
-    check_samples(turned_inside_out(torus(1, 0.5, 12, 8)), 0.2, 2);
-  }
-  SECTION("a mesh with a cavity")
-  {
-    check_samples(both(sphere(2), turned_inside_out(sphere(2, 0.5))), 0.12, 2);
-  }
+  SECTION("a torus") check_samples(torus(1, 0.5, 24, 16), 0.13, 2);
+  SECTION("inside out") check_samples(reversed(torus(1, 0.5, 12, 8)), 0.2, 2);
+  SECTION("a mesh with a cavity") check_samples(joined(sphere(2), reversed(sphere(2, 0.5))), 0.12, 2);
   SECTION("two components")
   {
-    check_samples(both(sphere(2, 0.7, Point_3(-1, 0, 0)), box(Point_3(0, -1, -1), Point_3(1, 1, 1))), 0.15, 3);
+    check_samples(joined(sphere(2, 0.7, Point_3(-1, 0, 0)), box(Point_3(0, -1, -1), Point_3(1, 1, 1))), 0.15, 3);
   }
-  SECTION("a box in lattice planes")
-  {
-    check_samples(box(Point_3(-.5, -.5, -.5), Point_3(.5, .5, .5)), 0.125, 2);
-  }
-  SECTION("cells that do not touch the mesh")
-  {
-    check_samples(sphere(3), 0.11, 4);
-  }
-  SECTION("folds")
-  {
-    check_samples(star(5, 0.3, 1, 0.2, 0.5), 0.11, 2);
-  }
+  SECTION("a box in lattice planes") check_samples(box(Point_3(-.5, -.5, -.5), Point_3(.5, .5, .5)), 0.125, 2);
+  SECTION("cells that do not touch the mesh") check_samples(sphere(3), 0.11, 4);
+  SECTION("folds") check_samples(star(5, 0.3, 1, 0.2, 0.5), 0.11, 2);
 }
 
 TEST_CASE("Distance samples: the oracle may be given by the user")
 {
   const BS::Input_mesh_3 input = input_of(sphere(1));
-  const BS::Cell_complex_3 cells = all_cells(input, 0.2, 2);
+  const Hierarchy cells = all_cells(input, 0.2, 2);
   const Ball ball = { 0.9 };
   const std::vector<double> samples = BS::sample_signed_distance<CGAL::Sequential_tag>(ball, cells);
   REQUIRE(samples.size() == 8 * cells.number_of_cells());
   int wrong = 0;
   for(std::size_t n = 0; n < samples.size(); ++n) {
-    const std::array<double, 3> corner = cells.corner(BS::Cell_complex_3::Index(n / 8));
-    const double w = cells.width();
+    const std::array<double, 3> corner = cells.corner(Hierarchy::Index(n / 8));
+    const double w = cells.width(Hierarchy::Index(n / 8));
     wrong += samples[n]
              != ball(Point_3(corner[0] + (n & 1 ? .75 : .25) * w, corner[1] + (n & 2 ? .75 : .25) * w,
                              corner[2] + (n & 4 ? .75 : .25) * w));

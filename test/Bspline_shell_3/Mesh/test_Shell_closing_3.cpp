@@ -23,14 +23,7 @@ typedef BS::Shell_closing_3 Closing;
 Mesh open_cube()
 {
   Mesh mesh = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
-  std::vector<Mesh::Face_index> top;
-  for(auto f : mesh.faces()) {
-    bool is_top = true;
-    for(auto v : mesh.vertices_around_face(mesh.halfedge(f))) is_top = is_top && mesh.point(v).z() == 1;
-    if(is_top) top.push_back(f);
-  }
-  for(auto f : top) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
-  mesh.collect_garbage();
+  remove_facets(mesh, [](const Point_3& p) { return p.z() == 1; });
   return mesh;
 }
 
@@ -87,30 +80,26 @@ TEST_CASE("Shell closing: a Polyhedron_3 is closed and opened again")
 
 TEST_CASE("Shell closing: signs of zeros are ignored")
 {
-  Mesh mesh = open_cube();
-  for(auto v : mesh.vertices()) {
-    const Point_3 p = mesh.point(v);
-    mesh.point(v) = Point_3(p.x() == 0 ? -0. : p.x(), p.y(), p.z());
-  }
+  Mesh mesh = mapped(open_cube(), [](const Point_3& p) { return Point_3(p.x() == 0 ? -0. : p.x(), p.y(), p.z()); });
   CHECK(roof().attach(mesh, mesh.points()));
 }
 
 TEST_CASE("Shell closing: a mesh with another border is left unchanged")
 {
-  const auto is_refused = [](const Mesh& before, const Closing& closing) {
+  const auto is_rejected = [](const Mesh& before, const Closing& closing) {
     Mesh mesh = before;
     const bool is_attached = bool(closing.attach(mesh, mesh.points()));
     mesh.collect_garbage();
     return !is_attached && is_equal(mesh, before);
   };
   const Mesh cube = open_cube();
-  REQUIRE_FALSE(is_refused(cube, roof()));
-  CHECK(is_refused(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), roof())); // already closed
+  REQUIRE_FALSE(is_rejected(cube, roof()));
+  CHECK(is_rejected(box(Point_3(0, 0, 0), Point_3(1, 1, 1)), roof())); // already closed
 
   Mesh moved = cube; // by one unit in the last place
   for(auto v : moved.vertices())
     if(moved.point(v) == Point_3(1, 1, 1)) moved.point(v) = Point_3(1, 1 - 1.2e-16, 1);
-  CHECK(is_refused(moved, roof()));
+  CHECK(is_rejected(moved, roof()));
 
   Mesh split = cube;
   for(auto h : split.halfedges())
@@ -119,26 +108,26 @@ TEST_CASE("Shell closing: a mesh with another border is left unchanged")
       split.point(split.target(v)) = Point_3(0.5, 0.5, 1);
       break;
     }
-  CHECK(is_refused(split, roof()));
+  CHECK(is_rejected(split, roof()));
 
   Mesh another = cube; // with another hole
   CGAL::Euler::remove_face(another.halfedge(*another.faces().begin()), another);
   another.collect_garbage();
-  CHECK(is_refused(another, roof()));
+  CHECK(is_rejected(another, roof()));
 
   // The triangles have the opposite orientation to the mesh.
-  CHECK(is_refused(cube, Closing(roof().points(), 4, { { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 4 }, { 0, 3, 4 } },
-                                 std::vector<Closing::Kind>(4, Closing::Kind::CAP))));
+  CHECK(is_rejected(cube, Closing(roof().points(), 4, { { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 4 }, { 0, 3, 4 } },
+                                  std::vector<Closing::Kind>(4, Closing::Kind::CAP))));
   // The closing has an edge that the mesh also has, the diagonal of a square. This is detected after facets were added.
-  const Mesh square = sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; });
+  const Mesh square = sheet({ 0, 1 }, { 0, 1 });
   const Closing across({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.7, 0.3, -1 }, { 0.3, 0.7, -1 } }, 4,
                        { { 1, 0, 4 }, { 2, 1, 4 }, { 0, 2, 4 }, { 3, 2, 5 }, { 0, 3, 5 }, { 2, 0, 5 } },
                        std::vector<Closing::Kind>(6, Closing::Kind::BACK));
   REQUIRE(across.is_valid());
-  CHECK(is_refused(square, across));
+  CHECK(is_rejected(square, across));
   // Two points of the border have the same position.
-  CHECK(is_refused(cube, Closing({ { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 0, 1 } }, 4,
-                                 { { 0, 1, 2 }, { 0, 2, 3 } }, std::vector<Closing::Kind>(2, Closing::Kind::CAP))));
+  CHECK(is_rejected(cube, Closing({ { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 0, 1 } }, 4,
+                                  { { 0, 1, 2 }, { 0, 2, 3 } }, std::vector<Closing::Kind>(2, Closing::Kind::CAP))));
 }
 
 TEST_CASE("Shell closing: is_valid() detects triangles that cannot close any mesh")
@@ -173,9 +162,9 @@ TEST_CASE("Shell closing: is_valid() detects triangles that cannot close any mes
   CHECK_FALSE(is_valid(6, 3, twice));
   // A tetrahedron touches the roof in a point, on the border or inside.
   for(Closing::Index p : { 0u, 3u }) {
-    std::vector<Closing::Triangle> pinched = roof;
-    pinched.insert(pinched.end(), { { p, 6, 7 }, { p, 7, 8 }, { p, 8, 6 }, { 8, 7, 6 } });
-    CHECK_FALSE(is_valid(9, 3, pinched));
+    std::vector<Closing::Triangle> touching = roof;
+    touching.insert(touching.end(), { { p, 6, 7 }, { p, 7, 8 }, { p, 8, 6 }, { 8, 7, 6 } });
+    CHECK_FALSE(is_valid(9, 3, touching));
   }
   // A separate tetrahedron is another component.
   std::vector<Closing::Triangle> beside = roof;
@@ -204,10 +193,10 @@ TEST_CASE("Shell closing: a mesh with a part of the border, or with two copies o
   add(one, 1);
   Mesh two = one;
   add(two, 2);
-  const Mesh before = one, both = two;
+  const Mesh before = one, two_before = two;
   CHECK_FALSE(base.match_border(two, two.points()));
   CHECK_FALSE(base.attach(two, two.points()));
-  CHECK(is_equal(two, both));
+  CHECK(is_equal(two, two_before));
   CHECK_FALSE(bases.match_border(one, one.points()));
   CHECK_FALSE(bases.attach(one, one.points()));
   CHECK(is_equal(one, before));
@@ -217,7 +206,7 @@ TEST_CASE("Shell closing: a mesh with a part of the border, or with two copies o
 TEST_CASE("Shell closing: a Polyhedron_3 that already has an edge of the closing is left unchanged")
 {
   CGAL::Polyhedron_3<Kernel> mesh;
-  CGAL::copy_face_graph(sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; }), mesh);
+  CGAL::copy_face_graph(sheet({ 0, 1 }, { 0, 1 }), mesh);
   const Closing across({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.7, 0.3, -1 }, { 0.3, 0.7, -1 } }, 4,
                        { { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 5 }, { 0, 3, 5 }, { 0, 2, 4 }, { 2, 0, 5 } },
                        std::vector<Closing::Kind>(6, Closing::Kind::BACK));

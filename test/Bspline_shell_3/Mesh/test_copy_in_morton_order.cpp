@@ -223,6 +223,6 @@ TEST_CASE("Copy in Morton order: a mesh with too many elements for 32-bit indice
   };
   check(box(Point_3(0, 0, 0), Point_3(1, 2, 3), false), 12 + 6);
   check(box(Point_3(0, 0, 0), Point_3(1, 2, 3)), 18);
-  check(sheet({ 0, 1, 2 }, { 0, 1 }, [](double, double) { return 0.; }), 9);
+  check(sheet({ 0, 1, 2 }, { 0, 1 }), 9);
 }
 } // namespace test_copy_in_morton_order

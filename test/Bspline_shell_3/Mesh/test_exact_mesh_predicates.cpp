@@ -9,7 +9,6 @@
 
 #include <CGAL/Random.h>
 #include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <algorithm>
 #include <cfenv>
@@ -21,23 +20,6 @@ namespace test_exact_mesh_predicates {
 namespace {
 
 namespace BS = CGAL::Bspline_shells;
-
-// Returns a double pyramid over a polygon in which every `step`-th corner follows.
-Mesh bipyramid(int corners, int step, double height = 1)
-{
-  Mesh mesh;
-  const auto north = mesh.add_vertex(Point_3(0, 0, height)), south = mesh.add_vertex(Point_3(0, 0, -height));
-  std::vector<Mesh::Vertex_index> link;
-  for(int n = 0; n < corners; ++n) {
-    const double angle = 2 * CGAL_PI * ((n * step) % corners) / corners;
-    link.push_back(mesh.add_vertex(Point_3(std::cos(angle), std::sin(angle), 0)));
-  }
-  for(int n = 0; n < corners; ++n) {
-    mesh.add_face(link[n], link[(n + 1) % corners], north);
-    mesh.add_face(link[(n + 1) % corners], link[n], south);
-  }
-  return mesh;
-}
 
 std::size_t winding_number(const Mesh& mesh, Mesh::Vertex_index v, const Point_3& on_axis)
 {
@@ -86,9 +68,8 @@ TEST_CASE("Embedded fans: a fan is embedded if all facets face their mean normal
   for(double size : { 1e-200, 1e-60, 1., 1e55 })
     for(double height : { 1e-3, 1., 1e3 }) {
       CAPTURE(size, height);
-      const auto scaled = [&](Mesh mesh) {
-        for(auto v : mesh.vertices()) mesh.point(v) = CGAL::ORIGIN + size * (mesh.point(v) - CGAL::ORIGIN);
-        return mesh;
+      const auto scaled = [&](const Mesh& mesh) {
+        return mapped(mesh, [&](const Point_3& p) { return CGAL::ORIGIN + size * (p - CGAL::ORIGIN); });
       };
       CHECK(are_tips_embedded(scaled(bipyramid(3, 1, height))));
       CHECK(are_tips_embedded(scaled(bipyramid(12, 1, height))));
@@ -186,8 +167,7 @@ TEST_CASE("Bounded cone margin: the result is the margin up to the bound, and mi
 TEST_CASE(
   "Crossings: crossings are signed and exact, and undefined if a segment touches an edge or vertex, or ends on a facet")
 {
-  Mesh mesh = sphere(2);
-  CGAL::copy_face_graph(sphere(1, 0.5), mesh);
+  const Mesh mesh = joined(sphere(2), sphere(1, 0.5));
   const BS::Crossing_counter_3 counter(mesh);
   const auto count = [&](const Point_3& p, const Point_3& q) {
     const auto crossings = counter.crossings(p, q);
@@ -217,8 +197,7 @@ TEST_CASE(
 
 TEST_CASE("Crossings: comparing all facets and searching the tree yield the same crossings")
 {
-  Mesh mesh = sphere(5); // more facets than a thread compares at once
-  CGAL::copy_face_graph(sphere(1, 0.5), mesh);
+  Mesh mesh = joined(sphere(5), sphere(1, 0.5)); // more facets than a thread compares at once
   mesh.add_face(mesh.add_vertex(Point_3(-2, -2, 0.02)), mesh.add_vertex(Point_3(4, -2, 0.03)),
                 mesh.add_vertex(Point_3(-2, 4, 0.04)));
   mesh.remove_face(Mesh::Face_index(mesh.num_faces() - 1));

@@ -1,5 +1,6 @@
 // facet_normal.h: the exact normal, times a positive factor, is within the radius around the direction.
 #include "exact_spline.h"
+#include "test_random.h"
 
 #include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
 
@@ -60,9 +61,7 @@ void check(const Point_3& p, const Point_3& q, const Point_3& r)
 
 Vector_3 random_vector(CGAL::Random& random)
 {
-  // One random number has only 32 bits.
-  const auto number = [&] { return random.get_double(-1, 1) + std::ldexp(random.get_double(-1, 1), -31); };
-  return Vector_3(number(), number(), number());
+  return Vector_3(random_number(random, -1, 1), random_number(random, -1, 1), random_number(random, -1, 1));
 }
 
 } // namespace

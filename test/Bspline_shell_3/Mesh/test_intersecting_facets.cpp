@@ -5,15 +5,12 @@
 #include <CGAL/Bspline_shell_3/Mesh/fan_winding.h>
 #include <CGAL/Bspline_shell_3/Mesh/intersecting_facets.h>
 
-#include <CGAL/Aff_transformation_3.h>
-#include <CGAL/Polygon_mesh_processing/transform.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Random.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -41,19 +38,9 @@ Pairs of_all_pairs(const Mesh& mesh)
   return sorted(pairs);
 }
 
-Mesh moved(Mesh mesh, const Kernel::Vector_3& v, double scale = 1)
+Mesh moved(const Mesh& mesh, const Vector_3& v, double scale = 1)
 {
-  typedef CGAL::Aff_transformation_3<Kernel> Map;
-  CGAL::Polygon_mesh_processing::transform(Map(CGAL::SCALING, scale), mesh);
-  CGAL::Polygon_mesh_processing::transform(Map(CGAL::TRANSLATION, v), mesh);
-  return mesh;
-}
-
-Mesh together(const Mesh& a, const Mesh& b)
-{
-  Mesh mesh = a;
-  CGAL::copy_face_graph(b, mesh);
-  return mesh;
+  return mapped(mesh, [&](const Point_3& p) { return CGAL::ORIGIN + scale * (p - CGAL::ORIGIN) + v; });
 }
 
 template <typename ConcurrencyTag>
@@ -82,19 +69,19 @@ TEST_CASE("Intersecting facets: there are none in a sphere, or in two spheres si
   const Mesh ball = sphere(4);
   CHECK(of_all_pairs(ball).empty());
   check(ball);
-  check(together(ball, moved(ball, Kernel::Vector_3(2.5, 0, 0))));
-  check(together(ball, moved(ball, Kernel::Vector_3(0, 0, 0), 0.9)));
+  check(joined(ball, moved(ball, Vector_3(2.5, 0, 0))));
+  check(joined(ball, moved(ball, Vector_3(0, 0, 0), 0.9)));
 }
 
 TEST_CASE("Intersecting facets: spheres that meet, touch or coincide have the pairs that a test of all pairs finds")
 {
   const Mesh ball = sphere(4);
   for(double x : { 0.5, 1., 1.3, 2. }) {
-    const Mesh both = together(ball, moved(ball, Kernel::Vector_3(x, 0, 0)));
-    CHECK_FALSE(of_all_pairs(both).empty());
-    check(both);
+    const Mesh two = joined(ball, moved(ball, Vector_3(x, 0, 0)));
+    CHECK_FALSE(of_all_pairs(two).empty());
+    check(two);
   }
-  check(together(ball, ball));
+  check(joined(ball, ball));
 }
 
 TEST_CASE("Intersecting facets: a single facet through the surface is found wherever it is", "[slow]")
@@ -105,11 +92,10 @@ TEST_CASE("Intersecting facets: a single facet through the surface is found wher
   for(int n = 0; n < 50; ++n) {
     // The facet crosses the surface.
     Mesh mesh = ball;
-    const auto p = mesh.point(Mesh::Vertex_index(unsigned(random.get_int(0, int(mesh.number_of_vertices())))));
-    const Kernel::Vector_3 out = p - CGAL::ORIGIN,
-                           u = edge
-                               * CGAL::cross_product(
-                                 out, Kernel::Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), 0.3));
+    const Point_3 p = mesh.point(Mesh::Vertex_index(unsigned(random.get_int(0, int(mesh.number_of_vertices())))));
+    const Vector_3 out = p - CGAL::ORIGIN,
+                   u = edge
+                       * CGAL::cross_product(out, Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), 0.3));
     mesh.add_face(mesh.add_vertex(p - edge * out), mesh.add_vertex(p + edge * out),
                   mesh.add_vertex(p + edge * out + u));
     CHECK_FALSE(of_all_pairs(mesh).empty());
@@ -121,47 +107,31 @@ TEST_CASE("Intersecting facets: folded, doubly wound and embedded fans have the 
 {
   const Mesh ball = sphere(4);
   // A vertex is moved over its neighbors, or downwards.
-  for(const Kernel::Vector_3& to :
-      { Kernel::Vector_3(0.3, 0.2, 0.1), Kernel::Vector_3(0.1, -0.1, 0.4), Kernel::Vector_3(0, 0, -1) })
+  for(const Vector_3& to : { Vector_3(0.3, 0.2, 0.1), Vector_3(0.1, -0.1, 0.4), Vector_3(0, 0, -1) })
     for(unsigned int v : { 0u, 50u, 1000u }) {
       Mesh folded = ball;
       folded.point(Mesh::Vertex_index(v)) = folded.point(Mesh::Vertex_index(v)) + to;
       check(folded);
     }
   // All facets face the axis. Intersections are found only at common vertices.
-  Mesh star;
-  const int corners = 5;
-  const auto north = star.add_vertex(Point_3(0, 0, 1.5)), south = star.add_vertex(Point_3(0, 0, -1.5));
-  std::vector<Mesh::Vertex_index> link;
-  for(int n = 0; n < corners; ++n)
-    link.push_back(
-      star.add_vertex(Point_3(2 * std::cos(4 * CGAL_PI * n / corners), 2 * std::sin(4 * CGAL_PI * n / corners), 0)));
-  for(std::size_t n = 0; n < link.size(); ++n) {
-    star.add_face(link[n], link[(n + 1) % link.size()], north);
-    star.add_face(link[(n + 1) % link.size()], link[n], south);
-  }
+  const Mesh star = moved(bipyramid(5, 2, 0.75), Vector_3(0, 0, 0), 2);
   CHECK_FALSE(of_all_pairs(star).empty());
-  check(together(ball, star));
+  check(joined(ball, star));
   // Noise ranges from levels that leave most fans embedded to levels that leave almost none.
   CGAL::Random random(2);
   for(double noise : { 0.01, 0.03, 0.1 }) {
-    Mesh mesh = ball;
-    for(auto v : mesh.vertices())
-      mesh.point(
-        v) = mesh.point(v)
-             + noise * Kernel::Vector_3(random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1));
-    check(mesh);
+    const auto shifted = [&](double x) { return x + noise * random.get_double(-1, 1); };
+    check(mapped(ball, [&](const Point_3& p) { return Point_3(shifted(p.x()), shifted(p.y()), shifted(p.z())); }));
   }
 }
 
 TEST_CASE("Intersecting facets: facets of all sizes, even larger than many cells, and flat meshes are tested correctly")
 {
   const Mesh ball = sphere(4);
-  check(together(ball, moved(sphere(0), Kernel::Vector_3(0.3, 0.2, 0.1), 1.1)));
-  Mesh flat = ball;
-  for(auto v : flat.vertices()) flat.point(v) = Point_3(flat.point(v).x(), flat.point(v).y(), 0.01 * flat.point(v).z());
+  check(joined(ball, moved(sphere(0), Vector_3(0.3, 0.2, 0.1), 1.1)));
+  const Mesh flat = mapped(ball, [](const Point_3& p) { return Point_3(p.x(), p.y(), 0.01 * p.z()); });
   check(flat);
-  check(together(flat, moved(flat, Kernel::Vector_3(0, 0, 0.005))));
+  check(joined(flat, moved(flat, Vector_3(0, 0, 0.005))));
   // Needles cross the whole grid, which would need too many copies of them.
   Mesh needles = ball;
   for(int n = 0; n < 2000; ++n) {
@@ -175,23 +145,21 @@ TEST_CASE("Intersecting facets: facets of all sizes, even larger than many cells
 
 TEST_CASE("Intersecting facets: the requested number of pairs is found, for any number of threads, even without a grid")
 {
-  const Mesh ball = sphere(4), both = together(ball, moved(ball, Kernel::Vector_3(0.5, 0, 0)));
-  const Pairs all = of_all_pairs(both);
+  const Mesh ball = sphere(4), two = joined(ball, moved(ball, Vector_3(0.5, 0, 0)));
+  const Pairs all = of_all_pairs(two);
   REQUIRE(all.size() > 50);
-  const Pairs some = found<CGAL::Sequential_tag>(both, 50, 150);
+  const Pairs some = found<CGAL::Sequential_tag>(two, 50, 150);
   CHECK(some.size() == 50);
   CHECK(std::includes(all.begin(), all.end(), some.begin(), some.end()));
-  CHECK(found<CGAL::Parallel_if_available_tag>(both, 50, 150) == some);
+  CHECK(found<CGAL::Parallel_if_available_tag>(two, 50, 150) == some);
   // There is no grid.
   for(int n = 0; n < 10; ++n)
-    CHECK(found<CGAL::Parallel_if_available_tag>(both, 50, 100000) == found<CGAL::Sequential_tag>(both, 50, 100000));
+    CHECK(found<CGAL::Parallel_if_available_tag>(two, 50, 100000) == found<CGAL::Sequential_tag>(two, 50, 100000));
   // Most of the mesh is in one cell.
-  check(together(moved(both, Kernel::Vector_3(0.5, 0.5, 0.5), 0.01), sphere(3)), false);
+  check(joined(moved(two, Vector_3(0.5, 0.5, 0.5), 0.01), sphere(3)), false);
   // Differences of coordinates, or their reciprocals, overflow.
   for(double size : { 5e-324, 1.7e308 }) {
-    Mesh extreme = ball;
-    for(auto v : extreme.vertices())
-      extreme.point(v) = Point_3(size * extreme.point(v).x(), size * extreme.point(v).y(), size * extreme.point(v).z());
+    const Mesh extreme = moved(ball, Vector_3(0, 0, 0), size);
     CHECK_FALSE(BS::internal::Facet_grid<Mesh>(extreme, 150).fill(3 * extreme.number_of_faces()));
   }
 }

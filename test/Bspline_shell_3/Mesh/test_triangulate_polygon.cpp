@@ -87,6 +87,10 @@ void check_triangulation(const std::vector<Point_2>& polygon)
 
 TEST_CASE("Polygons: convex and non-convex polygons of either orientation are triangulated")
 {
+  const std::vector<double> x = { 0, 8, 8, 0, 0, 6, 6, 2, 2, 4, 4, 5, 5, 1, 1, 7, 7, 0 },
+                            y = { 0, 0, 8, 8, 2, 2, 6, 6, 4, 4, 5, 5, 3, 3, 7, 7, 1, 1 };
+  std::vector<Point_2> spiral;
+  for(std::size_t n = 0; n < x.size(); ++n) spiral.emplace_back(x[n], y[n]);
   const std::vector<std::vector<Point_2> > polygons = {
     { { 0, 0 }, { 1, 0 }, { 0, 1 } },
     { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } },
@@ -94,25 +98,8 @@ TEST_CASE("Polygons: convex and non-convex polygons of either orientation are tr
     { { 0, 0 }, { 3, 0 }, { 3, 3 }, { 2, 3 }, { 2, 1 }, { 1, 1 }, { 1, 3 }, { 0, 3 } }, // a U
     { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 3, 0 }, { 3, 1 }, { 0, 1 } },                     // straight corners
     { { 0, 0 }, { 2, 0 }, { 1, 1 }, { 0, 2 } },                                         // one straight corner
-    { { 0, 0 },
-      { 8, 0 },
-      { 8, 8 },
-      { 0, 8 },
-      { 0, 2 },
-      { 6, 2 },
-      { 6, 6 },
-      { 2, 6 },
-      { 2, 4 },
-      { 4, 4 },
-      { 4, 5 },
-      { 5, 5 },
-      { 5, 3 },
-      { 1, 3 },
-      { 1, 7 },
-      { 7, 7 },
-      { 7, 1 },
-      { 0, 1 } }
-  }; // a spiral
+    spiral
+  };
   for(std::vector<Point_2> polygon : polygons)
     for(int turned = 0; turned < 2; ++turned) {
       for(std::size_t shift = 0; shift < polygon.size(); ++shift) {

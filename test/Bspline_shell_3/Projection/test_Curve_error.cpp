@@ -19,15 +19,14 @@ using BS::internal::Curve_error;
 using BS::internal::Divergence;
 typedef Eigen::Vector3d Vector;
 
-Divergence divergence(const Uniform_field& field, const Vector& x)
+Divergence divergence(const Field& field, const Vector& x)
 {
-  const Uniform_field::Point_3 p(x[0], x[1], x[2]);
+  const Field::Point_3 p(x[0], x[1], x[2]);
   return BS::internal::divergence(field.cell(field.locate(p)), p);
 }
 
 // Returns the estimate along a curve, where each step has the given error.
-Curve_error along(const Uniform_field& field, const std::vector<Vector>& curve, const std::vector<double>& values,
-                  double error)
+Curve_error along(const Field& field, const std::vector<Vector>& curve, const std::vector<double>& values, double error)
 {
   Curve_error result(divergence(field, curve[0]));
   for(std::size_t i = 1; i < curve.size(); ++i)
@@ -40,13 +39,13 @@ Curve_error along(const Uniform_field& field, const std::vector<Vector>& curve, 
 TEST_CASE("Curve error: the divergence follows from the eigenvalues of the Hessian across the gradient")
 {
   // f = x + (y^2 + 3 z^2 + 4 y z) / 2 on the x axis
-  const Uniform_field flat = uniform_field(
+  const Field flat = uniform_field(
     { { 1, { 1, 0, 0 } }, { 0.5, { 0, 2, 0 } }, { 1.5, { 0, 0, 2 } }, { 2, { 0, 1, 1 } } });
   const Divergence d = divergence(flat, Vector(0.3, 0, 0));
   CHECK(d.most == Approx(2 + std::sqrt(5.)));
   CHECK(d.least == Approx(2 - std::sqrt(5.)));
   // f = |x|^2, where H = 2 and |g|^2 = 4 |x|^2
-  const Uniform_field spheres = uniform_field({ { 1, { 2, 0, 0 } }, { 1, { 0, 2, 0 } }, { 1, { 0, 0, 2 } } });
+  const Field spheres = uniform_field({ { 1, { 2, 0, 0 } }, { 1, { 0, 2, 0 } }, { 1, { 0, 0, 2 } } });
   for(const Vector& x : { Vector(0.3, -0.2, 0.6), Vector(0, 0, 0.5), Vector(-0.7, 0.1, 0.1) }) {
     CHECK(divergence(spheres, x).most == Approx(1 / (2 * x.squaredNorm())));
     CHECK(divergence(spheres, x).least == Approx(1 / (2 * x.squaredNorm())));
@@ -56,7 +55,7 @@ TEST_CASE("Curve error: the divergence follows from the eigenvalues of the Hessi
 TEST_CASE("Curve error: errors grow as curves diverge, forwards and backwards")
 {
   // Along a ray of f = |x|^2, distances between curves are proportional to the radius.
-  const Uniform_field spheres = uniform_field({ { 1, { 2, 0, 0 } }, { 1, { 0, 2, 0 } }, { 1, { 0, 0, 2 } } });
+  const Field spheres = uniform_field({ { 1, { 2, 0, 0 } }, { 1, { 0, 2, 0 } }, { 1, { 0, 0, 2 } } });
   const Vector direction = Vector(1, 2, -1).normalized();
   for(const bool outwards : { true, false }) {
     const double first = outwards ? 0.1 : 0.9, last = outwards ? 0.9 : 0.1;
@@ -83,24 +82,24 @@ TEST_CASE("Curve error: curves are traced again until the tolerance is met, or t
   {
     BS::internal::Image_error error;
   };
-  std::vector<double> asked;
+  std::vector<double> tolerances;
   Result result;
   const auto keep = [&](double at_image, double at_start, double least_at_image, double least_at_start) {
-    asked.clear();
+    tolerances.clear();
     return BS::internal::keep_tolerance(1e-9, result, [&](double step_tolerance, Result& result) {
-      asked.push_back(step_tolerance);
+      tolerances.push_back(step_tolerance);
       result.error = { (std::max)(at_image * step_tolerance, least_at_image),
                        (std::max)(at_start * step_tolerance, least_at_start) };
       return Flow_status::SUCCESS;
     });
   };
   CHECK(keep(0.4, 0.4, 0, 0) == Flow_status::SUCCESS);
-  CHECK(asked.size() == 1);
+  CHECK(tolerances.size() == 1);
   CHECK(keep(500, 0.4, 0, 0) == Flow_status::SUCCESS);
-  CHECK(asked.size() == 2);
+  CHECK(tolerances.size() == 2);
   CHECK(result.error.at_image <= 1e-9);
   CHECK(keep(0.4, 500, 0, 0) == Flow_status::SUCCESS);
-  CHECK(asked.size() == 2);
+  CHECK(tolerances.size() == 2);
   CHECK(result.error.at_start <= 1e-9);
   // rounding at the image, and at the start
   CHECK(keep(1, 1, 2e-9, 0) == Flow_status::TOLERANCE_NOT_MET);

@@ -1,6 +1,7 @@
 // Gradient_flow_3.h, Integral_curve.h: points arrive where the closed forms of integral curves end, up to the
 // tolerance, or the status is a failure.
 #include "polynomial_fields.h"
+#include "shell_reports.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Gradient_flow_3.h>
 
@@ -21,15 +22,15 @@ namespace {
 
 namespace BS = CGAL::Bspline_shells;
 using BS::Flow_status;
-typedef CGAL::Bspline_shell_3<Uniform_field> Uniform_shell;
-typedef CGAL::Bspline_shell_3<Hierarchical_field> Hierarchical_shell;
+typedef CGAL::Bspline_shell_3<> Shell;
+typedef BS::Gradient_flow_3<Shell> Flow;
 typedef Eigen::Vector3d Vector;
 typedef Eigen::Matrix3d Matrix;
 
 const double infinity = std::numeric_limits<double>::infinity(),
              not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-Vector vector(const Uniform_field::Point_3& p)
+Vector vector(const Field::Point_3& p)
 {
   return { p.x(), p.y(), p.z() };
 }
@@ -228,8 +229,8 @@ TEST_CASE("Gradient flow: the closed forms that these tests use are correct")
 TEST_CASE("Gradient flow: end points are within the tolerance, on uniform and on hierarchical cells")
 {
   for(const Example& example : examples()) {
-    const Uniform_shell uniform = shell_of(uniform_field(example.polynomial), -infinity, infinity);
-    const Hierarchical_shell hierarchical = shell_of(hierarchical_field(example.polynomial), -infinity, infinity);
+    const Shell uniform = shell_of(uniform_field(example.polynomial), -infinity, infinity);
+    const Shell hierarchical = shell_of(hierarchical_field(example.polynomial), -infinity, infinity);
     REQUIRE(hierarchical.field().number_of_levels() == 3);
     for(double tolerance : { 1e-3, 1e-5, 1e-7, 1e-9, 1e-11 }) {
       INFO(example.name << ", tolerance " << tolerance);
@@ -262,10 +263,10 @@ TEST_CASE("Gradient flow: end points are within the tolerance, at any scale and 
 
 TEST_CASE("Gradient flow: near the origin, the default tolerance is 1e-9 of the box")
 {
-  const Uniform_shell shell = shell_of(uniform_field(squared_distance), -infinity, infinity);
-  CHECK(BS::Gradient_flow_3<Uniform_shell>(shell).tolerance() == 1e-9 * shell.report().unit);
-  CHECK(BS::Gradient_flow_3<Uniform_shell>(shell, 0.25).tolerance() == 0.25);
-  CHECK(&BS::Gradient_flow_3<Uniform_shell>(shell).shell() == &shell);
+  const Shell shell = shell_of(uniform_field(squared_distance), -infinity, infinity);
+  CHECK(Flow(shell).tolerance() == 1e-9 * shell.report().unit);
+  CHECK(Flow(shell, 0.25).tolerance() == 0.25);
+  CHECK(&Flow(shell).shell() == &shell);
   CHECK(largest_error(shell, spheres(), Frame(), 0, 0.07, 0.9) <= 2e-9);
 }
 
@@ -301,9 +302,8 @@ TEST_CASE(
   // Curves in a plane of faces; and curves of x y in the plane x = y, which are straight and pass through edges and
   // corners.
   for(int seed : { 1, 2, 3 }) {
-    const Hierarchical_shell curved = shell_of(hierarchical_field(hyperbolas().polynomial, Frame(), seed), -infinity,
-                                               infinity);
-    const BS::Gradient_flow_3<Hierarchical_shell> flow(curved);
+    const Shell curved = shell_of(hierarchical_field(hyperbolas().polynomial, Frame(), seed), -infinity, infinity);
+    const Flow flow(curved);
     for(int n = 0; n < 100; ++n) {
       const double z = random.get_int(-15, 16) / 16., x = random.get_double(0.4, 0.9);
       const Vector starts[2] = { Vector(x, random.get_double(-0.3, 0.3), z),
@@ -322,8 +322,8 @@ TEST_CASE(
 
 TEST_CASE("Gradient flow: points exactly on a threshold are in the shell, as start and end points")
 {
-  const Uniform_shell slab = shell_of(uniform_field({ { 1, { 1, 0, 0 } } }), -0.25, 0.625);
-  const BS::Gradient_flow_3<Uniform_shell> flow(slab);
+  const Shell slab = shell_of(uniform_field({ { 1, { 1, 0, 0 } } }), -0.25, 0.625);
+  const Flow flow(slab);
   for(double y : { 0., 0.25, 0.3, -0.99 }) {
     const Vector inner(-0.25, y, 0.5), outer(0.625, y, 0.5);
     REQUIRE(flow.trace(inner, 0.625));
@@ -338,8 +338,8 @@ TEST_CASE("Gradient flow: points exactly on a threshold are in the shell, as sta
     }
   }
   // On spheres, the same holds up to rounding.
-  const Uniform_shell shell = shell_of(uniform_field(squared_distance), 0.25, 0.49);
-  const BS::Gradient_flow_3<Uniform_shell> radial(shell);
+  const Shell shell = shell_of(uniform_field(squared_distance), 0.25, 0.49);
+  const Flow radial(shell);
   CGAL::Random random(11);
   for(int n = 0; n < 200; ++n) {
     const Vector direction = random_vector(random, 1).normalized();
@@ -354,8 +354,8 @@ TEST_CASE("Gradient flow: points exactly on a threshold are in the shell, as sta
 
 TEST_CASE("Gradient flow: a point that cannot be moved has a status with the reason")
 {
-  const Uniform_shell shell = shell_of(uniform_field(squared_distance), 0.25, 0.49);
-  const BS::Gradient_flow_3<Uniform_shell> flow(shell);
+  const Shell shell = shell_of(uniform_field(squared_distance), 0.25, 0.49);
+  const Flow flow(shell);
   const auto status = [&](const Vector& x, double level) {
     const Flow_status traced = flow.trace(x, level).status;
     CHECK(flow.differential(x, level).status == traced);
@@ -388,13 +388,10 @@ TEST_CASE("Gradient flow: a point that cannot be moved has a status with the rea
   CHECK(status(x, 0.49 + 1.4 * far) == Flow_status::LEAVES_SHELL);
 
   // Cells that the shell does not meet are not part of it.
-  Uniform_field field = uniform_field({ { 1, { 1, 0, 0 } } });
+  Field field = uniform_field({ { 1, { 1, 0, 0 } } });
   std::vector<char> cells(field.number_of_cells(), 1);
-  for(Uniform_field::Cell_index c = 0; c < field.number_of_cells(); ++c) cells[c] = field.cell(c).corner()[0] < 0.5;
-  BS::Shell_report report;
-  report.status = BS::Shell_status::SUCCESS;
-  report.unit = 2;
-  const Uniform_shell part(field, BS::Level_range{ -2, 2 }, cells, {}, report);
+  for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c) cells[c] = field.cell(c).corner()[0] < 0.5;
+  const Uniform_shell part(field, BS::Level_range{ -2, 2 }, cells, {}, successful_report(2));
   const BS::Gradient_flow_3<Uniform_shell> partly(part);
   CHECK(partly.trace(Vector(0.1, 0.1, 0.1), 0.4).status == Flow_status::SUCCESS);
   CHECK(partly.trace(Vector(0.1, 0.1, 0.1), 0.7).status == Flow_status::LEAVES_SHELL);
@@ -422,9 +419,9 @@ TEST_CASE("Gradient flow: a curve that reaches a critical point does not continu
     for(double value : { 0., 0.3, -1 / 3. })
       for(double tolerance : { 1e-3, 1e-6, 1e-9, 1e-12 }) {
         c.polynomial.push_back({ value, { 0, 0, 0 } });
-        const Uniform_shell shell = shell_of(uniform_field(c.polynomial), -1, 1);
+        const Shell shell = shell_of(uniform_field(c.polynomial), -1, 1);
         c.polynomial.pop_back();
-        const BS::Gradient_flow_3<Uniform_shell> flow(shell, tolerance);
+        const Flow flow(shell, tolerance);
         INFO("start " << c.start.transpose() << ", value " << value << ", tolerance " << tolerance);
         // If the tolerance is larger than the rest of the curve, the curve may end because it cannot meet the
         // tolerance. Near a saddle, a curve that deviates by rounding may continue.
@@ -439,23 +436,19 @@ TEST_CASE("Gradient flow: a curve that reaches a critical point does not continu
         CHECK(flow.trace(Vector(0, 0, 0), value + 0.1).status == Flow_status::GRADIENT_VANISHES);
       }
   // The field is constant.
-  const Uniform_shell constant = shell_of(uniform_field({ { 0.5, { 0, 0, 0 } } }), 0, 1);
-  CHECK(BS::Gradient_flow_3<Uniform_shell>(constant).trace(Vector(0.1, 0.2, 0.3), 0.6).status
-        == Flow_status::GRADIENT_VANISHES);
+  const Shell constant = shell_of(uniform_field({ { 0.5, { 0, 0, 0 } } }), 0, 1);
+  CHECK(Flow(constant).trace(Vector(0.1, 0.2, 0.3), 0.6).status == Flow_status::GRADIENT_VANISHES);
 }
 
 TEST_CASE("Gradient flow: curves end at varying thresholds")
 {
   // f = x, between -1/2 and 0.4 + y^2 / 4
-  const Uniform_field field = uniform_field({ { 1, { 1, 0, 0 } } });
-  typedef BS::Spline_threshold<Uniform_field> Threshold;
-  typedef CGAL::Bspline_shell_3<Uniform_field, Threshold> Shell;
-  BS::Shell_report report;
-  report.status = BS::Shell_status::SUCCESS;
-  report.unit = 2;
+  const Field field = uniform_field({ { 1, { 1, 0, 0 } } });
+  typedef BS::Spline_threshold<Field> Threshold;
+  typedef CGAL::Bspline_shell_3<Field, Threshold> Shell;
   const Shell shell(field, Threshold(uniform_field({ { -0.5, { 0, 0, 0 } } })),
                     Threshold(uniform_field({ { 0.4, { 0, 0, 0 } }, { 0.25, { 0, 2, 0 } } })),
-                    std::vector<char>(field.number_of_cells(), 1), {}, report);
+                    std::vector<char>(field.number_of_cells(), 1), {}, successful_report(2));
   const BS::Gradient_flow_3<Shell> flow(shell);
   for(double y : { -0.9, -0.5, 0., 0.3, 0.7 }) {
     const double end = 0.4 + y * y / 4, little = 1e-7; // much more than the tolerance, and the rounding of steps
@@ -470,8 +463,8 @@ TEST_CASE("Gradient flow: curves end at varying thresholds")
 TEST_CASE("Gradient flow: tracing there and back returns to the start")
 {
   for(const Example& example : examples()) {
-    const Hierarchical_shell shell = shell_of(hierarchical_field(example.polynomial), -infinity, infinity);
-    const BS::Gradient_flow_3<Hierarchical_shell> flow(shell);
+    const Shell shell = shell_of(hierarchical_field(example.polynomial), -infinity, infinity);
+    const Flow flow(shell);
     for(const Way& way : ways(example, 100, 0.1, 0.8)) {
       const auto there = flow.trace(way.start, way.level);
       REQUIRE(there);
@@ -486,9 +479,8 @@ TEST_CASE("Gradient flow: the differential and its restrictions agree with close
 {
   const Frame frame{ Vector(10, -20, 30), 50 };
   for(const Example& example : examples()) {
-    const Hierarchical_shell shell = shell_of(hierarchical_field(example.polynomial, frame), -infinity, infinity,
-                                              frame);
-    const BS::Gradient_flow_3<Hierarchical_shell> flow(shell);
+    const Shell shell = shell_of(hierarchical_field(example.polynomial, frame), -infinity, infinity, frame);
+    const Flow flow(shell);
     // The tolerance of derivatives is relative: see Gradient_flow_3::differential().
     const double tolerance = 4 * flow.tolerance() / shell.report().unit;
     CGAL::Random random(2);
@@ -537,8 +529,8 @@ TEST_CASE("Gradient flow: the differential and its restrictions agree with close
 
 TEST_CASE("Gradient flow: the differential from one sphere to another scales tangent vectors")
 {
-  const Uniform_shell shell = shell_of(uniform_field(squared_distance), 0.2, 0.9);
-  const BS::Gradient_flow_3<Uniform_shell> flow(shell);
+  const Shell shell = shell_of(uniform_field(squared_distance), 0.2, 0.9);
+  const Flow flow(shell);
   const Vector x(0.3, 0.4, 0.2), n = x.normalized(), tangent = n.cross(Vector(0, 0, 1)).normalized();
   const auto d = flow.differential(x, 0.6);
   REQUIRE(d);
@@ -549,12 +541,12 @@ TEST_CASE("Gradient flow: the differential from one sphere to another scales tan
 
 TEST_CASE("Gradient flow: the result does not depend on the type of the start point")
 {
-  const Uniform_shell shell = shell_of(uniform_field(cubics().polynomial), -infinity, infinity);
-  const BS::Gradient_flow_3<Uniform_shell> flow(shell);
+  const Shell shell = shell_of(uniform_field(cubics().polynomial), -infinity, infinity);
+  const Flow flow(shell);
   const auto expected = flow.trace(std::array<double, 3>{ 0.75, 0.5, 0.25 }, 0.1);
   REQUIRE(expected);
   typedef CGAL::Exact_predicates_exact_constructions_kernel Exact;
-  CHECK(flow.trace(Uniform_field::Point_3(0.75, 0.5, 0.25), 0.1).point == expected.point);
+  CHECK(flow.trace(Field::Point_3(0.75, 0.5, 0.25), 0.1).point == expected.point);
   CHECK(flow.trace(Exact::Point_3(0.75, 0.5, 0.25), 0.1).point == expected.point);
   CHECK(flow.trace(Vector(0.75, 0.5, 0.25), 0.1).point == expected.point);
 }

@@ -218,7 +218,7 @@ TEST_CASE("Shell map: the differential between homothetic spheres is the homothe
     REQUIRE(d);
     const Vector_3 n = normal(b, image.location.first);
     const Eigen::Matrix3d onto = d.onto_plane({ n.x(), n.y(), n.z() });
-    const std::array<Point_3, 3> t = triangle(a, image.location.first); // both spheres have the same numbering
+    const std::array<Point_3, 3> t = corners(a, image.location.first); // both spheres have the same numbering
     for(int i : { 1, 2 }) {
       const Vector_3 e = t[std::size_t(i)] - t[0];
       const Eigen::Vector3d edge(e.x(), e.y(), e.z());

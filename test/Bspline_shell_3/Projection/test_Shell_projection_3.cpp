@@ -1,11 +1,11 @@
 // Shell_projection_3.h, Projection_target_3.h, project_points.h: images are where the curve meets the target, as found
 // in other ways. Points without an image get a status with the reason.
+#include "exact_vectors.h"
 #include "polynomial_fields.h"
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Projection/project_points.h>
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -24,11 +24,9 @@ namespace {
 namespace BS = CGAL::Bspline_shells;
 namespace P = CGAL::Bspline_shells::parameters;
 using BS::Flow_status;
-typedef CGAL::Bspline_shell_3<Uniform_field> Shell;
+typedef CGAL::Bspline_shell_3<Field> Shell;
 typedef BS::Shell_projection_3<Shell, Mesh> Projection;
 typedef Projection::Image Image;
-typedef CGAL::Exact_rational Exact;
-typedef std::array<Exact, 3> Exact_vector;
 
 const double infinity = std::numeric_limits<double>::infinity();
 
@@ -37,11 +35,6 @@ BS::Shell_projection_3<Shell, TriangleMesh> projection(const Shell& shell, const
                                                        double tolerance = 0)
 {
   return BS::Shell_projection_3<Shell, TriangleMesh>(shell, target, BS::parameters::tolerance(tolerance));
-}
-
-double distance(const Point_3& p, const Point_3& q)
-{
-  return std::sqrt(CGAL::squared_distance(p, q));
 }
 
 // f = |x|^2; curves are the rays from the origin
@@ -58,39 +51,16 @@ const Shell& slab()
   return shell;
 }
 
-Exact_vector exact(const Point_3& p)
-{
-  return { Exact(p.x()), Exact(p.y()), Exact(p.z()) };
-}
-Exact dot(const Exact_vector& a, const Exact_vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Exact_vector cross(const Exact_vector& a, const Exact_vector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-Exact_vector minus(const Exact_vector& a, const Exact_vector& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-std::array<Point_3, 3> triangle(const Mesh& mesh, Mesh::Face_index f)
-{
-  const auto h = mesh.halfedge(f);
-  return { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) };
-}
-
 // Returns the intersection of the ray from the origin through p with a star-shaped polyhedron, in exact arithmetic.
 Point_3 hit_of_ray(const Mesh& mesh, const Point_3& p)
 {
-  const Exact_vector d = exact(p);
+  const Exact_point d = exact(p);
   for(auto f : mesh.faces()) {
-    const std::array<Point_3, 3> t = triangle(mesh, f);
-    const Exact_vector a = exact(t[0]), b = exact(t[1]), c = exact(t[2]);
+    const std::array<Point_3, 3> t = corners(mesh, f);
+    const Exact_point a = exact(t[0]), b = exact(t[1]), c = exact(t[2]);
     if(dot(d, cross(a, b)) < 0 || dot(d, cross(b, c)) < 0 || dot(d, cross(c, a)) < 0) continue;
-    const Exact_vector n = cross(minus(b, a), minus(c, a));
-    const Exact s = dot(n, a) / dot(n, d);
+    const Exact_point n = cross(minus(b, a), minus(c, a));
+    const Rational s = dot(n, a) / dot(n, d);
     return Point_3(CGAL::to_double(s * d[0]), CGAL::to_double(s * d[1]), CGAL::to_double(s * d[2]));
   }
   FAIL("the mesh has holes");
@@ -133,10 +103,7 @@ std::vector<Point_3> vertices_midpoints_and_centroids(const Mesh& mesh)
   for(auto v : mesh.vertices()) points.push_back(mesh.point(v));
   for(auto e : mesh.edges())
     points.push_back(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
-  for(auto f : mesh.faces()) {
-    const std::array<Point_3, 3> t = triangle(mesh, f);
-    points.push_back(CGAL::centroid(t[0], t[1], t[2]));
-  }
+  for(auto f : mesh.faces()) points.push_back(centroid(mesh, f));
   return points;
 }
 
@@ -215,7 +182,7 @@ TEST_CASE("Projection: points on the thresholds have images")
       CHECK(distance(image.point, hit_of_ray(mesh, q)) <= 2 * project.tolerance());
     }
   // Here, values are exact, and the target is on a threshold.
-  const Mesh top = sheet({ -0.5, 0, 0.5 }, { -0.5, 0, 0.5 }, [](double, double) { return 0.875; });
+  const Mesh top = sheet({ -0.5, 0, 0.5 }, { -0.5, 0, 0.5 }, 0.875);
   const Shell exact_slab = shell_of(uniform_field({ { 1, { 0, 0, 1 } } }), -0.75, 0.875);
   for(const Point_3& p :
       { Point_3(0, 0, -0.75), Point_3(0.25, 0.3, -0.75), Point_3(-0.5, 0.5, -0.75), Point_3(0.1, 0.2, 0.875) }) {
@@ -239,8 +206,7 @@ TEST_CASE("Projection: a mesh is mapped to itself by the identity")
     }
     CHECK(n > 20);
     for(auto f : mesh.faces()) {
-      const std::array<Point_3, 3> t = triangle(mesh, f);
-      const Point_3 c = CGAL::centroid(t[0], t[1], t[2]);
+      const Point_3 c = centroid(mesh, f);
       if((c - CGAL::ORIGIN).squared_length() > 0.3) CHECK(project(c).location.first == f);
       for(auto h : mesh.halfedges_around_face(mesh.halfedge(f))) {
         // At a vertex, the image may be in any of its facets.
@@ -261,7 +227,7 @@ TEST_CASE("Projection: needles, caps and facets of very different sizes are vali
   // Caps: a point is added next to the middle of an edge, on either side of it.
   std::vector<Mesh::Face_index> facets(mesh.faces_begin(), mesh.faces_end());
   for(std::size_t n = 0; n < facets.size(); n += 3) {
-    const std::array<Point_3, 3> t = triangle(mesh, facets[n]);
+    const std::array<Point_3, 3> t = corners(mesh, facets[n]);
     // Caps of needles would be as thin as the last digits of coordinates.
     if(CGAL::squared_area(t[0], t[1], t[2]) < 1e-8) continue;
     const Point_3 p = CGAL::barycenter(t[0], 0.5, t[1], 0.5 - 1e-9, t[2], 1e-9);
@@ -294,9 +260,8 @@ TEST_CASE("Projection: the image is on the sheet that the curve meets, not on th
   const Shell shell = shell_of(uniform_field({ { 1, { 0, 0, 2 } } }), 0.01, 0.8);
   const std::vector<double> grid = { -0.5, 0.1, 0.5 };
   for(bool lower_faces_down : { true, false }) {
-    Mesh mesh = sheet(grid, grid, [](double, double) { return -0.2; });
-    if(lower_faces_down) CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
-    CGAL::copy_face_graph(sheet(grid, grid, [](double, double) { return 0.5; }), mesh);
+    const Mesh lower = sheet(grid, grid, -0.2),
+               mesh = joined(lower_faces_down ? reversed(lower) : lower, sheet(grid, grid, 0.5));
     const Projection project = projection(shell, mesh);
     for(double z : { 0.11, 0.14, 0.85 }) {
       const Image image = project(Point_3(0.2, 0.3, z));
@@ -332,8 +297,7 @@ TEST_CASE("Projection: a point without an image has a status, and no other data"
   // The target is outside the shell, on either side.
   for(double radius : { 0.3, 1.5 }) check(projection(radial_shell(), sphere(1, radius))(p), Flow_status::LEAVES_SHELL);
 
-  Mesh turned = good;
-  CGAL::Polygon_mesh_processing::reverse_face_orientations(turned);
+  const Mesh turned = reversed(good);
   for(const Point_3& q : random_points(50))
     check(projection(radial_shell(), turned)(q), Flow_status::WRONG_ORIENTATION);
 
@@ -378,7 +342,7 @@ TEST_CASE("Projection: curves leave the shell through holes, and not beside them
   CHECK(lost > 50);
   // A degenerate facet is not met, whichever way it might face.
   const auto h = std::find_if(mesh.halfedges_begin(), mesh.halfedges_end(), [&](auto e) { return mesh.is_border(e); });
-  const std::array<Point_3, 3> t = triangle(closed, Mesh::Face_index(0));
+  const std::array<Point_3, 3> t = corners(closed, Mesh::Face_index(0));
   const auto a = mesh.add_vertex(t[0]), b = mesh.add_vertex(CGAL::midpoint(t[1], t[2])),
              c = mesh.add_vertex(CGAL::midpoint(t[0], CGAL::midpoint(t[1], t[2])));
   mesh.add_face(a, b, c);
@@ -425,7 +389,7 @@ TEST_CASE("Projection: the start of the search affects the image by no more than
     const Image reference = project(p);
     REQUIRE(reference.status == Flow_status::SUCCESS);
     Projection::Hint hint;
-    hint.facet = Projection::Target::Index(random.get_int(0, int(facets))); // mostly far away
+    hint.facet = Projection::Target::Index(random.get_int(0, int(facets))); // usually far away
     const Image image = project(p, hint);
     check_consistent(radial_shell(), mesh, image, project.tolerance());
     CHECK(distance(image.point, reference.point) <= 2 * project.tolerance());
@@ -441,10 +405,8 @@ TEST_CASE("Projection: the start of the search affects the image by no more than
   // f = z^2; each curve meets only the sheet on its side of the plane
   const Shell shell = shell_of(uniform_field({ { 1, { 0, 0, 2 } } }), 0.01, 0.8);
   const std::vector<double> grid = { -0.5, 0.1, 0.5 };
-  Mesh sheets = sheet(grid, grid, [](double, double) { return -0.2; });
-  CGAL::Polygon_mesh_processing::reverse_face_orientations(sheets);
-  const std::size_t of_lower = sheets.number_of_faces();
-  CGAL::copy_face_graph(sheet(grid, grid, [](double, double) { return 0.5; }), sheets);
+  const Mesh lower = reversed(sheet(grid, grid, -0.2)), sheets = joined(lower, sheet(grid, grid, 0.5));
+  const std::size_t of_lower = lower.number_of_faces();
   const Projection to_sheets = projection(shell, sheets);
   for(double z : { 0.11, 0.85, -0.11, -0.3 })
     for(std::size_t f = 0; f < 2 * of_lower; ++f) {
@@ -497,7 +459,7 @@ TEST_CASE("Projection: a walk over edges finds the same facet on a line as the t
   // One walk is short, one has too many moves, and one crosses a border.
   const std::vector<double> grid = { -0.9, -0.8, -0.7, -0.6, -0.5, -0.4, -0.3, -0.2, -0.1, 0,
                                      0.1,  0.2,  0.3,  0.4,  0.5,  0.6,  0.7,  0.8,  0.9 };
-  const Mesh plane = sheet(grid, grid, [](double, double) { return 0.; });
+  const Mesh plane = sheet(grid, grid);
   const auto to_plane = projection(slab(), plane);
   const BS::Projection_facets_3& of_plane = to_plane.target().traced_facets();
   const auto at = [&](double x, double y) { return of_plane.facet_on_line({ x, y, 0.5 }, { 0, 0, 1 }, -1, 1, 0); };
@@ -530,12 +492,13 @@ TEST_CASE("Projection: a visitor is called with the progress, and can stop it")
   }
   CHECK(visitor.calls.back().first == points.size());
 
-  Visitor hasty;
-  hasty.stop = 1;
-  const auto some = BS::project_points<CGAL::Parallel_tag>(radial_shell(), points, mesh, P::visitor(std::ref(hasty)));
+  Visitor stopping;
+  stopping.stop = 1;
+  const auto some = BS::project_points<CGAL::Parallel_tag>(radial_shell(), points, mesh,
+                                                           P::visitor(std::ref(stopping)));
   REQUIRE(some.size() == points.size());
-  REQUIRE(hasty.calls.size() == 1);
-  const std::size_t done = hasty.calls[0].first;
+  REQUIRE(stopping.calls.size() == 1);
+  const std::size_t done = stopping.calls[0].first;
   CHECK(done < points.size());
   // The order of points is unspecified.
   std::size_t canceled = 0;
@@ -610,7 +573,7 @@ TEST_CASE("Projection: facets thinner than rounding may have no images, but neve
   Mesh mesh = sheet(xs, ys, plane);
   const std::vector<Mesh::Face_index> facets(mesh.faces_begin(), mesh.faces_end());
   for(auto f : facets) {
-    const std::array<Point_3, 3> t = triangle(mesh, f);
+    const std::array<Point_3, 3> t = corners(mesh, f);
     const auto h = CGAL::Euler::add_center_vertex(mesh.halfedge(f), mesh);
     mesh.point(mesh.target(h)) = CGAL::barycenter(t[0], 0.4, t[1], 0.6 - 1e-7, t[2], 1e-7);
   }

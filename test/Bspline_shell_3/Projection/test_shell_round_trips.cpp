@@ -21,11 +21,6 @@ typedef CGAL::Certified_bspline_shell_3 Shell;
 typedef BS::Shell_map_3<Shell, Mesh> Map;
 typedef Map::Source_location Location;
 
-double distance(const Point_3& p, const Point_3& q)
-{
-  return std::sqrt(CGAL::squared_distance(p, q));
-}
-
 Mesh triangulated(Mesh mesh)
 {
   CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
@@ -158,8 +153,8 @@ TEST_CASE("Round trips: images are the only points where densely traced curves m
     REQUIRE(curve.size() > parts / 4);
     // Find all changes of side, and keep those in facets, or nearly so.
     for(auto facet : b.faces()) {
-      const auto h = b.halfedge(facet);
-      const Point_3 &p = b.point(b.source(h)), &q = b.point(b.target(h)), &r = b.point(b.target(b.next(h)));
+      const std::array<Point_3, 3> t = corners(b, facet);
+      const Point_3 &p = t[0], &q = t[1], &r = t[2];
       const Vector_3 normal = CGAL::cross_product(q - p, r - p);
       const auto height = [&](const Point_3& x) { return normal * (x - p); };
       for(std::size_t i = 1; i < curve.size(); ++i) {

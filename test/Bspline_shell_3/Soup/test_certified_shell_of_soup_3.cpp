@@ -91,9 +91,7 @@ TEST_CASE("Shell of a soup: an open mesh is closed virtually, and wrongly orient
   CHECK(open.kind() == BS::Shell_kind::VIRTUALLY_CLOSED);
   CHECK(contains(report_of(open), "\"sheets\": 1"));
 
-  Mesh two = sphere(3, 1), inner = sphere(2, 0.5);
-  two += inner;
-  const BS::Shell_of_soup_3 hollow = CGAL::certified_shell_of_soup_3(soup_of(two));
+  const BS::Shell_of_soup_3 hollow = CGAL::certified_shell_of_soup_3(soup_of(joined(sphere(3, 1), sphere(2, 0.5))));
   REQUIRE(hollow.is_certified());
   CHECK(hollow.kind() == BS::Shell_kind::CLOSED);
   CHECK(hollow.repairs.reversed_components);

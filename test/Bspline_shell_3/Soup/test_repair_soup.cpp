@@ -32,16 +32,24 @@ BS::Polygon_soup exploded(const Mesh& mesh)
   return soup;
 }
 
+struct Repaired
+{
+  Mesh mesh;
+  BS::Soup_repairs repairs;
+  BS::Offending_simplices offenders;
+  BS::Shell_status status;
+
+  explicit Repaired(const BS::Polygon_soup& soup) : status(BS::repair_soup(soup, mesh, repairs, offenders)) {}
+};
+
 } // namespace
 
 TEST_CASE("Soup repair: a clean mesh needs no repair")
 {
   const BS::Polygon_soup soup{ { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1) },
                                { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } } };
-  Mesh mesh;
-  BS::Soup_repairs repairs;
-  BS::Offending_simplices offenders;
-  CHECK(BS::repair_soup(soup, mesh, repairs, offenders) == BS::Shell_status::SUCCESS);
+  const auto [mesh, repairs, offenders, status] = Repaired(soup);
+  CHECK(status == BS::Shell_status::SUCCESS);
   CHECK(repairs.is_none());
   CHECK(mesh.number_of_faces() == 4);
   CHECK(CGAL::is_closed(mesh));
@@ -58,10 +66,8 @@ TEST_CASE("Soup repair: separate triangles, some reversed, duplicated or degener
   const std::size_t p = soup.polygons[3][0], q = soup.polygons[3][1];
   soup.polygons.push_back({ p, q, p });
   soup.polygons.push_back({ q, q });
-  Mesh mesh;
-  BS::Soup_repairs repairs;
-  BS::Offending_simplices offenders;
-  REQUIRE(BS::repair_soup(soup, mesh, repairs, offenders) == BS::Shell_status::SUCCESS);
+  const auto [mesh, repairs, offenders, status] = Repaired(soup);
+  REQUIRE(status == BS::Shell_status::SUCCESS);
   CHECK(mesh.number_of_faces() == facets);
   CHECK(mesh.number_of_vertices() == ball.number_of_vertices());
   CHECK(CGAL::is_closed(mesh));
@@ -79,10 +85,8 @@ TEST_CASE("Soup repair: a degenerate facet between others is removed, and the me
   const BS::Polygon_soup soup{ { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1),
                                  Point_3(0.5, 0, 0) },
                                { { 0, 2, 4 }, { 4, 2, 1 }, { 0, 4, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } } };
-  Mesh mesh;
-  BS::Soup_repairs repairs;
-  BS::Offending_simplices offenders;
-  REQUIRE(BS::repair_soup(soup, mesh, repairs, offenders) == BS::Shell_status::SUCCESS);
+  const auto [mesh, repairs, offenders, status] = Repaired(soup);
+  REQUIRE(status == BS::Shell_status::SUCCESS);
   CHECK(repairs.degenerate_facets == 1);
   CHECK(CGAL::is_closed(mesh));
   CHECK(PMP::volume(mesh) == Approx(1. / 6));
@@ -90,19 +94,15 @@ TEST_CASE("Soup repair: a degenerate facet between others is removed, and the me
 
 TEST_CASE("Soup repair: three facets at an edge, a Moebius strip and an empty soup have a status")
 {
-  Mesh mesh;
-  BS::Soup_repairs repairs;
-  BS::Offending_simplices offenders;
   const std::vector<Point_3> points{ Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1),
                                      Point_3(0, -1, -1) };
-  CHECK(BS::repair_soup({ points, { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } } }, mesh, repairs, offenders)
-        == BS::Shell_status::NON_MANIFOLD);
-  CHECK(BS::repair_soup({ points, {} }, mesh, repairs, offenders) == BS::Shell_status::EMPTY_MESH);
-  CHECK(BS::repair_soup({ points, { { 0, 0, 1 } } }, mesh, repairs, offenders) == BS::Shell_status::EMPTY_MESH);
-  CHECK(repairs.removed_polygons == 1);
+  CHECK(Repaired({ points, { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } } }).status == BS::Shell_status::NON_MANIFOLD);
+  CHECK(Repaired({ points, {} }).status == BS::Shell_status::EMPTY_MESH);
+  const Repaired none({ points, { { 0, 0, 1 } } });
+  CHECK(none.status == BS::Shell_status::EMPTY_MESH);
+  CHECK(none.repairs.removed_polygons == 1);
   // Five triangles form a strip; the last one is joined to the first one with a twist.
-  CHECK(BS::repair_soup({ points, { { 0, 1, 2 }, { 1, 2, 3 }, { 2, 3, 4 }, { 3, 4, 0 }, { 4, 0, 1 } } }, mesh, repairs,
-                        offenders)
+  CHECK(Repaired({ points, { { 0, 1, 2 }, { 1, 2, 3 }, { 2, 3, 4 }, { 3, 4, 0 }, { 4, 0, 1 } } }).status
         == BS::Shell_status::NOT_ORIENTABLE);
 }
 
@@ -110,15 +110,11 @@ TEST_CASE("Soup repair: offending polygons have their numbers in the soup, despi
 {
   const std::vector<Point_3> points{ Point_3(0, 0, 0), Point_3(0, 0, 0), Point_3(1, 0, 0),
                                      Point_3(0, 1, 0), Point_3(0, 0, 1), Point_3(0, -1, -1) };
-  Mesh mesh;
-  BS::Soup_repairs repairs;
-  BS::Offending_simplices offenders;
-  CHECK(BS::repair_soup({ points, { { 0, 0, 2 }, { 0, 2, 3 }, { 3, 2, 1 }, { 1, 2, 4 }, { 3, 4, 5 }, { 0, 2, 5 } } },
-                        mesh, repairs, offenders)
-        == BS::Shell_status::NON_MANIFOLD);
-  CHECK(offenders.facets == std::vector<std::size_t>{ 1, 3, 5 });
-  CHECK(repairs.duplicate_polygons == 1);
-  CHECK(mesh.is_empty());
+  const Repaired result({ points, { { 0, 0, 2 }, { 0, 2, 3 }, { 3, 2, 1 }, { 1, 2, 4 }, { 3, 4, 5 }, { 0, 2, 5 } } });
+  CHECK(result.status == BS::Shell_status::NON_MANIFOLD);
+  CHECK(result.offenders.facets == std::vector<std::size_t>{ 1, 3, 5 });
+  CHECK(result.repairs.duplicate_polygons == 1);
+  CHECK(result.mesh.is_empty());
 }
 
 TEST_CASE("Soup repair: a plate with a hole, to which its facets have a bridge, becomes a closed mesh")
@@ -134,10 +130,8 @@ TEST_CASE("Soup repair: a plate with a hole, to which its facets have a bridge, 
     soup.polygons.push_back({ i, j, 8 + j, 8 + i });
     soup.polygons.push_back({ 4 + i, 4 + j, 12 + j, 12 + i });
   }
-  Mesh mesh;
-  BS::Soup_repairs repairs;
-  BS::Offending_simplices offenders;
-  REQUIRE(BS::repair_soup(soup, mesh, repairs, offenders) == BS::Shell_status::SUCCESS);
+  const auto [mesh, repairs, offenders, status] = Repaired(soup);
+  REQUIRE(status == BS::Shell_status::SUCCESS);
   CHECK(repairs.split_polygons == 2);
   CHECK(CGAL::is_closed(mesh));
   CHECK(std::abs(PMP::volume(mesh)) == Approx(12));
@@ -145,13 +139,12 @@ TEST_CASE("Soup repair: a plate with a hole, to which its facets have a bridge, 
 
 TEST_CASE("Soup repair: components are reversed until they bound a volume")
 {
-  Mesh mesh = sphere(2, 1), inner = sphere(2, 0.5);
-  mesh += inner; // faces outwards, too
+  Mesh mesh = joined(sphere(2, 1), sphere(2, 0.5)); // both face outwards
   CHECK_FALSE(PMP::does_bound_a_volume(mesh));
   CHECK(BS::orient_components(mesh));
   CHECK(PMP::does_bound_a_volume(mesh));
   CHECK_FALSE(BS::orient_components(mesh));
-  Mesh open = sheet({ 0, 1 }, { 0, 1 }, [](double, double) { return 0.; });
+  Mesh open = sheet({ 0, 1 }, { 0, 1 });
   CHECK_FALSE(BS::orient_components(open));
 }
 } // namespace test_repair_soup

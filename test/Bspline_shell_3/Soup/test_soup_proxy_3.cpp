@@ -48,11 +48,6 @@ struct Soup : BS::Polygon_soup
   }
 };
 
-double distance(const Point_3& p, const Point_3& q)
-{
-  return std::sqrt(CGAL::squared_distance(p, q));
-}
-
 // The centers of two spheres of radius one that meet in a circle: Figure 16 of the paper.
 const Point_3 left(-0.6, 0, 0), right(0.6, 0, 0);
 
@@ -123,10 +118,8 @@ TEST_CASE("Soup mesh: a polygon with a hole, whose bridge has two points twice, 
   CHECK(soup.polygons_left_out().empty());
   double area = 0;
   for(auto f : soup.mesh().faces()) {
-    const auto h = soup.mesh().halfedge(f);
-    area += std::sqrt(CGAL::squared_area(soup.mesh().point(soup.mesh().source(h)),
-                                         soup.mesh().point(soup.mesh().target(h)),
-                                         soup.mesh().point(soup.mesh().target(soup.mesh().next(h)))));
+    const auto [p, q, r] = corners(soup.mesh(), f);
+    area += std::sqrt(CGAL::squared_area(p, q, r));
   }
   CHECK(area == Approx(12));
 }
@@ -164,9 +157,7 @@ TEST_CASE("Soup proxy: visible parts of the spheres are carried, and hidden part
   CHECK(shares.carried_of_visible() > 0.97);
   CHECK(shares.carried + shares.continued + shares.hidden == Approx(1));
   for(auto f : proxy.soup().mesh().faces()) {
-    Point_3 c = CGAL::ORIGIN;
-    for(auto v : proxy.soup().mesh().vertices_around_face(proxy.soup().mesh().halfedge(f)))
-      c = c + (proxy.soup().mesh().point(v) - CGAL::ORIGIN) / 3;
+    const Point_3 c = centroid(proxy.soup().mesh(), f);
     const double depth = 1 - (std::max)((std::min)(distance(c, left), 1.), (std::min)(distance(c, right), 1.));
     if((std::min)(distance(c, left), distance(c, right)) < 0.9) CHECK(shares.facets[f] == BS::Soup_point::HIDDEN);
     else if(depth == 0 && std::abs(c.x()) > 0.2) CHECK(shares.facets[f] == BS::Soup_point::CARRIED);
@@ -226,8 +217,7 @@ TEST_CASE("Soup proxy: attributes of vertices, facets and corners are transferre
   auto sides = mesh.add_property_map<Mesh::Face_index, bool>("f:side", false).first;
   CHECK(BS::transfer_face_labels(map, side_of, sides).failures.empty());
   for(auto f : mesh.faces()) {
-    double x = 0;
-    for(auto v : mesh.vertices_around_face(mesh.halfedge(f))) x += mesh.point(v).x() / 3;
+    const double x = centroid(mesh, f).x();
     if(std::abs(x) > 0.1) CHECK(sides[f] == (x > 0));
   }
 
@@ -252,7 +242,6 @@ TEST_CASE("Soup proxy: attributes of vertices, facets and corners are transferre
   }
 
   // Vectors along the y-axis are transferred with few failures.
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3 Vector_3;
   const auto y_of = boost::make_function_property_map<Mesh::Face_index>(
     [&](Mesh::Face_index) { return Vector_3(0, 1, 0); });
   auto vectors = mesh.add_property_map<Mesh::Face_index, Vector_3>("f:vector").first;
@@ -301,6 +290,10 @@ TEST_CASE("Soup projection: the image is on the outermost facet of the curve, wh
     }
   }
   const BS::Soup_mesh_3 mesh(soup);
+  const auto triangle = [&](Mesh::Face_index f) {
+    const std::array<Point_3, 3> t = corners(mesh.mesh(), f);
+    return Kernel::Triangle_3(t[0], t[1], t[2]);
+  };
   typedef BS::Soup_projection_3<BS::Soup_proxy_3::Shell, Mesh> Projection;
   const Projection projection(shell, std::make_shared<const Projection::Target>(mesh.mesh(), mesh.mesh().points()));
   const BS::Gradient_flow_3<BS::Soup_proxy_3::Shell> flow(shell);
@@ -323,11 +316,8 @@ TEST_CASE("Soup projection: the image is on the outermost facet of the curve, wh
     for(std::size_t i = 0; i + 1 < curve.size() && !is_found; ++i) {
       double least = std::numeric_limits<double>::infinity();
       for(auto f : mesh.mesh().faces()) {
-        const auto h = mesh.mesh().halfedge(f);
-        const CGAL::Exact_predicates_inexact_constructions_kernel::Triangle_3 t(
-          mesh.mesh().point(mesh.mesh().source(h)), mesh.mesh().point(mesh.mesh().target(h)),
-          mesh.mesh().point(mesh.mesh().target(mesh.mesh().next(h))));
-        const CGAL::Exact_predicates_inexact_constructions_kernel::Segment_3 s(curve[i], curve[i + 1]);
+        const Kernel::Triangle_3 t = triangle(f);
+        const Kernel::Segment_3 s(curve[i], curve[i + 1]);
         if(!CGAL::do_intersect(t, s)) continue;
         const auto meet = CGAL::intersection(t, s);
         if(!meet) continue;
@@ -350,13 +340,8 @@ TEST_CASE("Soup projection: the image is on the outermost facet of the curve, wh
       const auto end = flow.trace(p, shell.inner_threshold().value(p));
       REQUIRE(end);
       double least = std::numeric_limits<double>::infinity();
-      for(auto f : mesh.mesh().faces()) {
-        const auto h = mesh.mesh().halfedge(f);
-        const CGAL::Exact_predicates_inexact_constructions_kernel::Triangle_3 t(
-          mesh.mesh().point(mesh.mesh().source(h)), mesh.mesh().point(mesh.mesh().target(h)),
-          mesh.mesh().point(mesh.mesh().target(mesh.mesh().next(h))));
-        least = (std::min)(least, std::sqrt(CGAL::squared_distance(end.point, t)));
-      }
+      for(auto f : mesh.mesh().faces())
+        least = (std::min)(least, std::sqrt(CGAL::squared_distance(end.point, triangle(f))));
       CHECK(distance(end.point, image.point) == Approx(least).margin(0.003));
       ++continued;
     }

@@ -1,10 +1,11 @@
 // Bernstein_bounds.h: every function within the radius is enclosed, in exact arithmetic. This includes functions at the
 // ends of the radius, where all roundings and displacements add up.
 #include "exact_spline.h"
+#include "test_random.h"
 
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 
 #include <CGAL/Random.h>
 
@@ -23,22 +24,14 @@ namespace BS = CGAL::Bspline_shells;
 using BS::Enclosed_tricubic;
 using BS::Level_range;
 typedef std::array<double, 3> Point;
-typedef std::array<Rational, 64> Exact_coefficients;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-
-Exact_coefficients exact_coefficients(const Enclosed_tricubic& f)
-{
-  Exact_coefficients b;
-  for(int n = 0; n < 64; ++n) b[n] = Rational(f.coefficients[n]);
-  return b;
-}
 
 // Returns the function whose coefficients are moved to the ends of the radius, by signs.
 template <typename Sign>
 Exact_coefficients moved(const Enclosed_tricubic& f, const Sign& sign)
 {
-  Exact_coefficients b = exact_coefficients(f);
+  Exact_coefficients b = exact_coefficients(f.coefficients);
   for(int n = 0; n < 64; ++n) b[n] += Rational(f.radius) * sign(n);
   return b;
 }
@@ -48,32 +41,12 @@ bool contains(const Level_range& r, const Rational& x)
   return Rational(r.min) <= x && x <= Rational(r.max);
 }
 
-// Returns a number with all bits random; one random number has only 32.
-double random_number(CGAL::Random& random, double least, double most)
-{
-  return random.get_double(least, most) + std::ldexp(random.get_double(0, most - least), -31);
-}
-
-// Returns a function with coefficients of both signs, of sizes between 1 and 2^-spread.
-Enclosed_tricubic random_function(CGAL::Random& random, int spread, double radius = 0)
-{
-  Enclosed_tricubic f;
-  for(double& x : f.coefficients) x = std::ldexp(random_number(random, -1, 1), -random.get_int(0, spread + 1));
-  f.radius = radius;
-  return f;
-}
-
 Enclosed_tricubic constant(double c, double radius = 0)
 {
   Enclosed_tricubic f;
   f.coefficients.fill(c);
   f.radius = radius;
   return f;
-}
-
-Point random_point(CGAL::Random& random, double least = 0, double most = 1)
-{
-  return { random_number(random, least, most), random_number(random, least, most), random_number(random, least, most) };
 }
 
 Exact_point combined(const std::vector<Point>& corners, const std::vector<Rational>& weights)
@@ -150,7 +123,7 @@ TEST_CASE("Bernstein bounds: values at points, on segments and on triangles are 
   CGAL::Random random(1);
   for(int n = 0; n < 60; ++n) {
     const Enclosed_tricubic f = random_function(random, n % 3 * 20);
-    const Exact_coefficients b = exact_coefficients(f);
+    const Exact_coefficients b = exact_coefficients(f.coefficients);
     const Point p = random_point(random), q = random_point(random), r = random_point(random);
     CHECK(contains(BS::enclose_at_point(f, p, 0), bernstein_value(b, exact(p))));
     const Level_range on_segment = BS::enclose_on_segment(f, { p, q }, 0),
@@ -168,8 +141,8 @@ TEST_CASE("Bernstein bounds: values at points, on segments and on triangles are 
     for(int m = 0; m < 64; ++m)
       f.coefficients[m] = along(m, 0) + along(m, 1) + along(m, 2) + random_number(random, 1000, 1000.001);
     const Point p = random_point(random, 0, 0.3), q = random_point(random, 0.4, 0.6), r = random_point(random, 0.7, 1);
-    const Rational lowest = bernstein_value(exact_coefficients(f), exact(p)),
-                   highest = bernstein_value(exact_coefficients(f), exact(r));
+    const Rational lowest = bernstein_value(exact_coefficients(f.coefficients), exact(p)),
+                   highest = bernstein_value(exact_coefficients(f.coefficients), exact(r));
     for(const Level_range& range :
         { BS::enclose_on_segment(f, { p, r }, 0), BS::enclose_on_triangle(f, { p, q, r }, 0) }) {
       CHECK(Rational(range.min) <= lowest);
@@ -190,7 +163,7 @@ TEST_CASE("Bernstein bounds: forms enclose the functions at both ends of the rad
   // Beyond the cell, a polynomial may grow far more than its coefficients.
   for(const Point& t : { Point{ 2, 2, 2 }, Point{ 2, 0.5, 0.5 }, Point{ 0.5, -1, 0.5 }, Point{ 0.5, 0.5, 3 },
                          Point{ -0.5, 1.5, 0.5 } }) {
-    std::array<Rational, 64> weight;
+    Exact_coefficients weight;
     for(int n = 0; n < 64; ++n) {
       Exact_coefficients unit;
       unit.fill(Rational(0));
@@ -220,7 +193,7 @@ TEST_CASE("Bernstein bounds: displaced corners are enclosed, even if the functio
         p[a] = along(corner, a) == 0 ? 0 : 1;
         q[a] = Rational(p[a]) + (p[a] == 0 ? 1 : -1) * Rational(shift);
       }
-      const Rational value = bernstein_value(exact_coefficients(f), q);
+      const Rational value = bernstein_value(exact_coefficients(f.coefficients), q);
       CHECK(contains(BS::enclose_at_point(f, p, shift), value));
       CHECK(contains(BS::enclose_on_triangle(f, { p, p, p }, shift), value));
     }
@@ -309,7 +282,7 @@ TEST_CASE("Bernstein bounds: values are enclosed, even if products underflow")
   for(int n = 0; n < 40; ++n) {
     Enclosed_tricubic f;
     for(double& x : f.coefficients) x = random.get_int(-3, 4) * least;
-    const Exact_coefficients b = exact_coefficients(f);
+    const Exact_coefficients b = exact_coefficients(f.coefficients);
     const Point p = random_point(random);
     CHECK(contains(BS::enclose_at_point(f, p, 0), bernstein_value(b, exact(p))));
     const Enclosed_tricubic half = BS::restrict_to_octant(f, 0);
@@ -367,7 +340,7 @@ TEST_CASE("Bernstein bounds: if a coefficient is not finite, or overflows on the
 TEST_CASE(
   "Bernstein bounds: a field on a cell has the cell's radius, and differences from thresholds include both radii")
 {
-  typedef BS::Uniform_bspline_field_3<> Field;
+  typedef BS::Hierarchical_bspline_field_3<> Field;
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-1, -1, -1, 1, 1, 1), 1);
   Field field(BS::Cell_complex_3(lattice, { BS::Lattice_key::encode(0, 0, 0) })), other = field;
   CGAL::Random random(7);

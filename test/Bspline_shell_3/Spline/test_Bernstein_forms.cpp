@@ -2,6 +2,7 @@
 // equal if they agree at ten points of a segment, or at the 55 points (i, j, k) / 9 of a triangle. With rational
 // numbers, comparisons at these points are proofs.
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_forms.h>
+#include "test_random.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
@@ -87,11 +88,6 @@ Coefficients random_coefficients(CGAL::Random& random)
   Coefficients c;
   for(double& x : c) x = random.get_double(-1, 1);
   return c;
-}
-
-Point random_point(CGAL::Random& random)
-{
-  return { random.get_double(0, 1), random.get_double(0, 1), random.get_double(0, 1) };
 }
 
 Coefficients unit_coefficients(int n)

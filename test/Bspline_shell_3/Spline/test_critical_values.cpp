@@ -1,6 +1,7 @@
 // critical_values.h: bounds at critical points hold in exact arithmetic for every function within the radius. They are
 // sharp for quadratic functions, whatever their axes.
 #include "exact_spline.h"
+#include "test_random.h"
 
 #include <CGAL/Bspline_shell_3/Spline/critical_values.h>
 
@@ -22,32 +23,21 @@ using BS::Critical_center;
 using BS::Enclosed_tricubic;
 using BS::Level_range;
 typedef std::array<double, 3> Point;
-typedef std::array<Rational, 64> Exact_coefficients;
-
-double random_number(CGAL::Random& random, double least, double most)
-{
-  return random.get_double(least, most) + std::ldexp(random.get_double(0, most - least), -31); // all bits are random
-}
-
-Point random_point(CGAL::Random& random, double least, double most)
-{
-  return { random_number(random, least, most), random_number(random, least, most), random_number(random, least, most) };
-}
-
-Enclosed_tricubic random_function(CGAL::Random& random, int spread, double radius)
-{
-  Enclosed_tricubic f;
-  for(double& x : f.coefficients) x = std::ldexp(random_number(random, -1, 1), -random.get_int(0, spread + 1));
-  f.radius = radius;
-  return f;
-}
 
 // Returns a function at the ends of the radius.
 Exact_coefficients random_member(CGAL::Random& random, const Enclosed_tricubic& f)
 {
-  Exact_coefficients b;
-  for(int n = 0; n < 64; ++n) b[n] = Rational(f.coefficients[n]) + Rational(f.radius) * (random.get_bool() ? 1 : -1);
+  Exact_coefficients b = exact_coefficients(f.coefficients);
+  for(Rational& x : b) x += Rational(f.radius) * (random.get_bool() ? 1 : -1);
   return b;
+}
+
+// Returns half the slope at t in the direction from c to t.
+Rational half_slope(const Exact_coefficients& b, const Point& c, const Exact_point& t)
+{
+  Rational slope(0);
+  for(int a = 0; a < 3; ++a) slope += (t[a] - Rational(c[a])) * bernstein_value(b, t, { a == 0, a == 1, a == 2 });
+  return slope / 2;
 }
 
 // Returns the coefficients of u^T H u / 2 + constant with u = x - center; those of t^2 are 0, 0, 1/3, 1.
@@ -83,15 +73,8 @@ TEST_CASE("Critical values: g minus half the slope of f towards the center is en
     const Enclosed_tricubic found = BS::values_at_critical_points(g, f, c);
     const Exact_coefficients in_f = random_member(random, f), in_g = random_member(random, g);
     const Exact_point t = exact(random_point(random, 0, 1));
-    Rational truth = bernstein_value(in_g, t), center = 0;
-    for(int a = 0; a < 3; ++a) {
-      std::array<int, 3> order = { 0, 0, 0 };
-      order[a] = 1;
-      truth -= (t[a] - Rational(c[a])) * bernstein_value(in_f, t, order) / 2;
-    }
-    Exact_coefficients b;
-    for(int m = 0; m < 64; ++m) b[m] = Rational(found.coefficients[m]);
-    center = bernstein_value(b, t);
+    const Rational truth = bernstein_value(in_g, t) - half_slope(in_f, c, t),
+                   center = bernstein_value(exact_coefficients(found.coefficients), t);
     CHECK(CGAL::abs(truth - center) <= Rational(found.radius));
     CHECK(truth >= Rational(found.range().min));
     CHECK(truth <= Rational(found.range().max));
@@ -113,14 +96,7 @@ TEST_CASE("Critical values: rounding errors of canceling terms are covered, even
     const Enclosed_tricubic found = BS::values_at_critical_points(none, f, c);
     for(int corner = 0; corner < 8; ++corner) {
       const Exact_point t = { Rational(corner & 1), Rational(corner >> 1 & 1), Rational(corner >> 2) };
-      Exact_coefficients in_f;
-      for(int m = 0; m < 64; ++m) in_f[m] = Rational(f.coefficients[m]);
-      Rational truth(0);
-      for(int a = 0; a < 3; ++a) {
-        std::array<int, 3> order = { 0, 0, 0 };
-        order[a] = 1;
-        truth -= (t[a] - Rational(c[a])) * bernstein_value(in_f, t, order) / 2;
-      }
+      const Rational truth = -half_slope(exact_coefficients(f.coefficients), c, t);
       const int at = 3 * (corner & 1) + 12 * (corner >> 1 & 1) + 48 * (corner >> 2);
       CHECK(CGAL::abs(truth - Rational(found.coefficients[at])) <= Rational(found.radius));
     }

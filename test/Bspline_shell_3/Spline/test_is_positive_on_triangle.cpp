@@ -49,21 +49,21 @@ double least_value(const Numbers& g, const Numbers& q)
 
 TEST_CASE("Positive on a triangle: the limits for equal corners, and for a single edge, agree with closed forms")
 {
-  for(double hair : { 1e-3, 1e-9, 1e-12 }) {
-    CHECK(is_positive_on_triangle({ 2, 2, 2 }, { 12 - hair, 12 - hair, 12 - hair }));
-    CHECK_FALSE(is_positive_on_triangle({ 2, 2, 2 }, { 12 + hair, 12 + hair, 12 + hair }));
+  for(double margin : { 1e-3, 1e-9, 1e-12 }) {
+    CHECK(is_positive_on_triangle({ 2, 2, 2 }, { 12 - margin, 12 - margin, 12 - margin }));
+    CHECK_FALSE(is_positive_on_triangle({ 2, 2, 2 }, { 12 + margin, 12 + margin, 12 + margin }));
     for(std::size_t v = 0; v < 3; ++v) {
       Numbers q = { -1, -1, -1 };
-      q[v] = 16 - hair;
+      q[v] = 16 - margin;
       CHECK(is_positive_on_triangle({ 2, 2, 2 }, q));
-      q[v] = 16 + hair;
+      q[v] = 16 + margin;
       CHECK_FALSE(is_positive_on_triangle({ 2, 2, 2 }, q));
       // The bound on an edge is 2 (sqrt(1) + sqrt(9))^2 = 32.
       Numbers g = { 1, 1, 1 };
       g[(v + 1) % 3] = 9;
-      q[v] = 32 - hair;
+      q[v] = 32 - margin;
       CHECK(is_positive_on_triangle(g, q));
-      q[v] = 32 + hair;
+      q[v] = 32 + margin;
       CHECK_FALSE(is_positive_on_triangle(g, q));
     }
   }

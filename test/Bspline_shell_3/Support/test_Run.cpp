@@ -21,17 +21,25 @@ typedef Run::End End;
 namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
-const auto reason = [](End end) { return end; };
+
+// Returns how the run ends, or that a function was executed to its end.
+template <typename Function>
+End end_of(Run& run, const Function& f)
+{
+  return run(
+    [&] {
+      f();
+      return End::NONE;
+    },
+    [](End end) { return end; });
+}
 
 // Polls the given number of times.
 End poll(Run& run, int times)
 {
-  return run(
-    [times] {
-      for(int n = 0; n < times; ++n) Run::poll();
-      return End::NONE;
-    },
-    reason);
+  return end_of(run, [times] {
+    for(int n = 0; n < times; ++n) Run::poll();
+  });
 }
 
 } // namespace
@@ -104,12 +112,8 @@ TEST_CASE("Runs: chunks are skipped after the end of the run, for any number of 
     std::atomic<int> done(0);
     int calls = 0;
     Run run(forever, [&] { return ++calls <= most; });
-    const End end = run(
-      [&] {
-        BS::internal::for_each_chunk<decltype(tag)>(1000, 10, [&](std::size_t, std::size_t) { ++done; });
-        return End::NONE;
-      },
-      reason);
+    const End end = end_of(
+      run, [&] { BS::internal::for_each_chunk<decltype(tag)>(1000, 10, [&](std::size_t, std::size_t) { ++done; }); });
     CHECK(end == (most < 100 ? End::CANCELED : End::NONE));
     CHECK(Run::current() == nullptr);
     return done.load();
@@ -121,12 +125,9 @@ TEST_CASE("Runs: chunks are skipped after the end of the run, for any number of 
   // All threads respect the limit.
   std::atomic<int> done(0);
   Run late(0);
-  const End end = late(
-    [&] {
-      BS::internal::for_each_chunk<CGAL::Parallel_if_available_tag>(1000, 1, [&](std::size_t, std::size_t) { ++done; });
-      return End::NONE;
-    },
-    reason);
+  const End end = end_of(late, [&] {
+    BS::internal::for_each_chunk<CGAL::Parallel_if_available_tag>(1000, 1, [&](std::size_t, std::size_t) { ++done; });
+  });
   CHECK(end == End::OUT_OF_TIME);
   CHECK(done == 0);
 }
@@ -135,26 +136,23 @@ TEST_CASE("Runs: only the thread that began the run calls the visitor, and polls
 {
   const std::thread::id here = std::this_thread::get_id();
   int elsewhere = 0;
-  std::atomic<int> strangers(0);
+  std::atomic<int> outside(0);
   Run run(forever, [&] {
     elsewhere += std::this_thread::get_id() != here;
     return true;
   });
-  const End end = run(
-    [&] {
-      BS::internal::for_each_chunk<CGAL::Parallel_if_available_tag>(1000, 1, [&](std::size_t, std::size_t) {
-        if(Run::current() != &run) ++strangers;
-        // also in nested chunks
-        BS::internal::for_each_chunk<CGAL::Parallel_if_available_tag>(4, 1, [&](std::size_t, std::size_t) {
-          if(Run::current() != &run) ++strangers;
-        });
+  const End end = end_of(run, [&] {
+    BS::internal::for_each_chunk<CGAL::Parallel_if_available_tag>(1000, 1, [&](std::size_t, std::size_t) {
+      if(Run::current() != &run) ++outside;
+      // also in nested chunks
+      BS::internal::for_each_chunk<CGAL::Parallel_if_available_tag>(4, 1, [&](std::size_t, std::size_t) {
+        if(Run::current() != &run) ++outside;
       });
-      return End::NONE;
-    },
-    reason);
+    });
+  });
   CHECK(end == End::NONE);
   CHECK(elsewhere == 0);
-  CHECK(strangers == 0);
+  CHECK(outside == 0);
 }
 
 TEST_CASE("Runs: polls of another thread do not call the visitor, but end with the run")

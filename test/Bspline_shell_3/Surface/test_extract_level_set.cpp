@@ -1,15 +1,10 @@
-// Copyright (c) 2026 The authors of the cubic B-spline shell package.
-// All rights reserved.
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-
+// extract_level_set.h: level sets are closed manifolds on the level, for uniform and hierarchical fields.
 #include <CGAL/Bspline_shell_3/Surface/extract_level_set.h>
-#include "random_hierarchies.h"
+#include "coefficient_functions.h"
+#include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -17,7 +12,6 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <catch2/catch.hpp>
@@ -36,11 +30,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 using CGAL::Bspline_shells::Level_set_status;
 using CGAL::Bspline_shells::extract_level_set;
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-typedef Kernel::Point_3 Point_3;
-typedef Kernel::Vector_3 Vector_3;
-typedef CGAL::Surface_mesh<Point_3> Mesh;
-typedef CGAL::Bspline_shells::Uniform_bspline_field_3<Kernel> Field;
+typedef CGAL::Bspline_shells::Hierarchical_bspline_field_3<Kernel> Field;
 typedef CGAL::Bspline_shells::Hierarchical_bspline_field_3<Kernel> Hierarchical_field;
 typedef CGAL::Bspline_shells::Cell_complex_3 Cells;
 typedef CGAL::Bspline_shells::Lattice_3 Lattice;
@@ -48,25 +38,23 @@ typedef CGAL::Bspline_shells::Lattice_3 Lattice;
 const double pi = 3.14159265358979323846;
 
 // Returns a field on the cells with corners from -size to size, in cells, around the center. `coefficient` is a
-// function of the lattice point, relative to the center.
+// function of the point, relative to the center.
 template <typename Coefficient>
 Field make_field(int size, double width, const Coefficient& coefficient, const Point_3& center = CGAL::ORIGIN)
 {
   const Lattice lattice(center.bbox(), width);
   REQUIRE(lattice.is_exact());
   REQUIRE(lattice.spacing() == width);
-  std::vector<std::uint64_t> keys;
-  for(int k = -size; k < size; ++k)
-    for(int j = -size; j < size; ++j)
-      for(int i = -size; i < size; ++i) keys.push_back(CGAL::Bspline_shells::Lattice_key::encode(i, j, k));
-  Field field{ Cells(lattice, keys) };
-  Eigen::VectorXd x(field.number_of_coefficients());
-  for(Eigen::Index n = 0; n < x.size(); ++n) {
-    const Lattice::Point& p = field.functions().point(Cells::Index(n));
-    x[n] = coefficient(Vector_3(p[0] * width, p[1] * width, p[2] * width));
-  }
-  field.set_coefficients(x);
+  Field field(all_cells(lattice, { -size, -size, -size }, { size - 1, size - 1, size - 1 }));
+  set_coefficients(field, [&](const Point_3& p, double) { return coefficient(p - center); });
   return field;
+}
+
+// Returns a field on equal cells; `coefficient` is a function of the point, relative to the center.
+template <typename Coefficient>
+Field make_field(int size, double width, const Coefficient& coefficient, const Point_3& center = CGAL::ORIGIN)
+{
+  return make_field(cube(size, width, center), [&](const Vector_3& g, double) { return coefficient(g); });
 }
 
 // Returns |x|^2, which cubic splines reproduce.
@@ -76,32 +64,21 @@ Field squared_norm(int size, double width, const Point_3& center = CGAL::ORIGIN)
     size, width, [width](const Vector_3& g) { return g.squared_length() - width * width; }, center);
 }
 
-// Returns a field on the same cells, some of them split, with the given number of levels. `coefficient` is a function
-// of the point, and of the width of cells of its level.
+// Returns a field on the same cells, some of them split, with the given number of levels.
 template <typename Coefficient>
-Hierarchical_field make_hierarchical_field(unsigned seed, int size, double width, int levels,
-                                           const Coefficient& coefficient)
+Field make_hierarchical_field(unsigned seed, int size, double width, int levels, const Coefficient& coefficient)
 {
   CGAL::Random random(seed);
   const Lattice lattice(Point_3(0, 0, 0).bbox(), width);
   REQUIRE(lattice.spacing() == width);
-  Hierarchical_field field(random_hierarchy(
-    random, some_cells(random, lattice, { -size, -size, -size }, { size - 1, size - 1, size - 1 }), levels));
+  Hierarchical_field field(
+    random_hierarchy(random, all_cells(lattice, { -size, -size, -size }, { size - 1, size - 1, size - 1 }), levels));
   REQUIRE(field.number_of_levels() == levels);
-  Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
-  Eigen::Index n = 0;
-  for(int l = levels - 1; l >= 0; --l)
-    for(Hierarchy::Index p = 0; p < field.points(l).size(); ++p) {
-      if(field.coefficient_of_point(field.first_point(l) + p) == Hierarchical_field::npos) continue;
-      const double h = field.cells().level_width(l);
-      const Lattice_point& g = field.points(l).point(p);
-      x[n++] = coefficient(Vector_3(g[0] * h, g[1] * h, g[2] * h), h);
-    }
-  field.set_coefficients(x);
+  set_coefficients(field, [&](const Point_3& p, double h) { return coefficient(p - CGAL::ORIGIN, h); });
   return field;
 }
 
-Hierarchical_field hierarchical_squared_norm(unsigned seed, int size, double width, int levels)
+Field hierarchical_squared_norm(unsigned seed, int size, double width, int levels)
 {
   return make_hierarchical_field(seed, size, width, levels,
                                  [](const Vector_3& g, double h) { return g.squared_length() - h * h; });
@@ -137,6 +114,15 @@ private:
   std::vector<double> m_coefficients;
 };
 
+// Returns a random coefficient, or a large one at the end of the cells, so that level sets do not leave them. Multiples
+// of 216 make all values at corners exact, and many of them equal.
+constexpr double large_value = 216 * 4;
+double random_coefficient(std::mt19937& random, const Vector_3& g)
+{
+  std::uniform_int_distribution<int> any(-3, 3);
+  return (std::max)({ std::abs(g.x()), std::abs(g.y()), std::abs(g.z()) }) > 3 ? large_value : 216. * any(random);
+}
+
 double torus_distance(const Vector_3& g)
 {
   return std::hypot(std::hypot(g.x(), g.y()) - 1, g.z()) - 0.4;
@@ -161,6 +147,17 @@ void check_closed_manifold(const TriangleMesh& mesh)
     if(PMP::is_degenerate_triangle_face(f, mesh)) FAIL("a facet of zero area");
 }
 
+// Returns the level set, after a check that it is a closed manifold.
+template <typename Field, typename Level>
+Mesh closed_level_set(const Field& field, const Level& level, int ratio = 2)
+{
+  Mesh mesh;
+  REQUIRE(extract_level_set(field, level, mesh, CGAL::parameters::subdivision_ratio(ratio))
+          == Level_set_status::SUCCESS);
+  check_closed_manifold(mesh);
+  return mesh;
+}
+
 template <typename TriangleMesh, typename Field>
 double largest_error(const TriangleMesh& mesh, const Field& field, double level)
 {
@@ -168,6 +165,42 @@ double largest_error(const TriangleMesh& mesh, const Field& field, double level)
   for(auto v : vertices(mesh))
     largest = (std::max)(largest, std::abs(*field.value(get(CGAL::vertex_point, mesh, v)) - level));
   return largest;
+}
+
+// Checks level sets through corners and another point of random fields, unless they leave the cells. Returns their
+// number.
+template <typename Field>
+std::size_t check_random_level_sets(const Field& field)
+{
+  std::size_t passed = 0;
+  for(int ratio : { 1, 2 })
+    for(const Point_3& p : { Point_3(0, 0, 0), Point_3(1, -1, 2), Point_3(-2, 1, 1), Point_3(0.5, 0, 1) }) {
+      const double level = *field.value(p);
+      CAPTURE(ratio, p, level);
+      Mesh mesh;
+      const Level_set_status status = extract_level_set(field, level, mesh, CGAL::parameters::subdivision_ratio(ratio));
+      REQUIRE((status == Level_set_status::SUCCESS || level >= large_value));
+      if(status != Level_set_status::SUCCESS) continue;
+      ++passed;
+      check_closed_manifold(mesh);
+      CHECK(euler_characteristic(mesh) % 2 == 0);
+      CHECK_FALSE(PMP::does_self_intersect(mesh));
+      CHECK(largest_error(mesh, field, level) < 1e-8);
+    }
+  return passed;
+}
+
+// Checks that the unit sphere has no cracks where adjacent cells are consistent only within an error radius.
+template <typename Field>
+void check_rough_sphere(const Field& field, double error, bool is_embedded)
+{
+  for(int ratio : { 1, 2, 3 }) {
+    CAPTURE(error, ratio);
+    const Mesh mesh = closed_level_set(Rough_field(field, error), 1, ratio);
+    if(error < 1e-3) CHECK(euler_characteristic(mesh) == 2);
+    CHECK(largest_error(mesh, field, 1) < 1e-12 + 3 * error);
+    if(is_embedded) CHECK_FALSE(PMP::does_self_intersect(mesh));
+  }
 }
 
 // Returns the least cosine of the angle between a facet's normal and the gradient at its center.
@@ -196,18 +229,14 @@ TEST_CASE("Level set: the level set of |x|^2 is a sphere of the right radius who
       const Field field = squared_norm(6, 0.25, center);
       const double radius = 1.1;
       REQUIRE(*field.value(center + Vector_3(0.3, 0.4, 1.2)) == Approx(1.69));
-      Mesh mesh;
-      REQUIRE(extract_level_set(field, radius * radius, mesh, CGAL::parameters::subdivision_ratio(ratio))
-              == Level_set_status::SUCCESS);
-      check_closed_manifold(mesh);
+      const Mesh mesh = closed_level_set(field, radius * radius, ratio);
       CHECK(euler_characteristic(mesh) == 2);
       CHECK(PMP::is_outward_oriented(mesh));
       CHECK(least_cosine(mesh, field) > 0.9);
       const double rounding = 1e-16 * (1 + std::abs(center.x()));
       CHECK(largest_error(mesh, field, radius * radius) < 1e-11 + 1e4 * rounding);
       for(auto v : mesh.vertices())
-        if(std::abs(std::sqrt(CGAL::squared_distance(mesh.point(v), center)) - radius) > 1e-11 + 1e4 * rounding)
-          FAIL("a vertex off the sphere");
+        if(std::abs(distance(mesh.point(v), center) - radius) > 1e-11 + 1e4 * rounding) FAIL("a vertex off the sphere");
     }
 }
 
@@ -216,10 +245,7 @@ TEST_CASE("Level set: the error on a sphere decreases quadratically with the siz
   const Field field = squared_norm(6, 0.25);
   double last = 0;
   for(int ratio : { 1, 2, 4 }) {
-    Mesh mesh;
-    REQUIRE(extract_level_set(field, 1.2, mesh, CGAL::parameters::subdivision_ratio(ratio))
-            == Level_set_status::SUCCESS);
-    const double error = 4. / 3 * pi * std::pow(1.2, 1.5) - PMP::volume(mesh);
+    const double error = 4. / 3 * pi * std::pow(1.2, 1.5) - PMP::volume(closed_level_set(field, 1.2, ratio));
     CHECK(error > 0);
     if(ratio > 1) CHECK(error < 0.3 * last);
     last = error;
@@ -231,9 +257,7 @@ TEST_CASE("Level set: the level set of the distance to a circle is a torus")
   const Field field = make_field(13, 0.125, torus_distance);
   for(double level : { -0.1, 0., 0.1 }) {
     CAPTURE(level);
-    Mesh mesh;
-    REQUIRE(extract_level_set(field, level, mesh) == Level_set_status::SUCCESS);
-    check_closed_manifold(mesh);
+    const Mesh mesh = closed_level_set(field, level);
     CHECK(euler_characteristic(mesh) == 0);
     CHECK(PMP::is_outward_oriented(mesh));
     CHECK(least_cosine(mesh, field) > 0.5);
@@ -245,9 +269,7 @@ TEST_CASE("Level set: the level set of the distance to a circle is a torus")
 TEST_CASE("Level set: facets face along the gradient, even inwards")
 {
   const Field field = make_field(5, 0.25, [](const Vector_3& g) { return 1 - g.squared_length(); });
-  Mesh mesh;
-  REQUIRE(extract_level_set(field, 0.3, mesh) == Level_set_status::SUCCESS);
-  check_closed_manifold(mesh);
+  const Mesh mesh = closed_level_set(field, 0.3);
   CHECK_FALSE(PMP::is_outward_oriented(mesh));
   CHECK(least_cosine(mesh, field) > 0.5);
 }
@@ -285,10 +307,7 @@ TEST_CASE("Level set: levels attained at corners of cells cause no defects")
   for(int ratio : { 1, 2, 3 })
     for(int squared_radius : { 1, 2, 3, 4, 5, 6, 8, 9, 14, 17, 18, 21, 25 }) {
       CAPTURE(ratio, squared_radius);
-      Mesh mesh;
-      REQUIRE(extract_level_set(field, 3 * squared_radius, mesh, CGAL::parameters::subdivision_ratio(ratio))
-              == Level_set_status::SUCCESS);
-      check_closed_manifold(mesh);
+      const Mesh mesh = closed_level_set(field, 3 * squared_radius, ratio);
       CHECK(euler_characteristic(mesh) == 2);
       CHECK(PMP::is_outward_oriented(mesh));
       CHECK(largest_error(mesh, field, 3 * squared_radius) < 1e-9);
@@ -305,46 +324,16 @@ TEST_CASE("Level set: levels attained at corners of cells cause no defects")
 TEST_CASE("Level set: the level set of a random field is a closed manifold", "[slow]")
 {
   for(unsigned seed = 0; seed < 8; ++seed) {
+    CAPTURE(seed);
     std::mt19937 random(seed);
-    std::uniform_int_distribution<int> any(-3, 3);
-    // The field is large at the end of the cells. Multiples of 216 make all values at corners exact, and many of them
-    // equal.
-    const Field field = make_field(5, 1, [&](const Vector_3& g) {
-      const double m = (std::max)({ std::abs(g.x()), std::abs(g.y()), std::abs(g.z()) });
-      return m > 3 ? 216. * 4 : 216. * any(random);
-    });
-    for(int ratio : { 1, 2 }) {
-      for(const Point_3& p : { Point_3(0, 0, 0), Point_3(1, -1, 2), Point_3(-2, 1, 1), Point_3(0.5, 0, 1) }) {
-        const double level = *field.value(p);
-        CAPTURE(seed, ratio, p, level);
-        Mesh mesh;
-        REQUIRE(extract_level_set(field, level, mesh, CGAL::parameters::subdivision_ratio(ratio))
-                == Level_set_status::SUCCESS);
-        check_closed_manifold(mesh);
-        CHECK(euler_characteristic(mesh) % 2 == 0);
-        CHECK_FALSE(PMP::does_self_intersect(mesh));
-        CHECK(largest_error(mesh, field, level) < 1e-8);
-      }
-    }
+    CHECK(check_random_level_sets(make_field(5, 1, [&](const Vector_3& g) { return random_coefficient(random, g); }))
+          == 8);
   }
 }
 
 TEST_CASE("Level set: cells that disagree on their common faces cause no cracks")
 {
-  // Adjacent cells are consistent only within the error radius, whatever its size.
-  const Field field = squared_norm(6, 0.25);
-  for(double error : { 1e-15, 1e-6, 1e-2, 0.2 })
-    for(int ratio : { 1, 2, 3 }) {
-      CAPTURE(error, ratio);
-      const Rough_field rough(field, error);
-      Mesh mesh;
-      REQUIRE(extract_level_set(rough, 1, mesh, CGAL::parameters::subdivision_ratio(ratio))
-              == Level_set_status::SUCCESS);
-      check_closed_manifold(mesh);
-      if(error < 1e-3) CHECK(euler_characteristic(mesh) == 2);
-      CHECK(largest_error(mesh, field, 1) < 1e-12 + 3 * error);
-      CHECK_FALSE(PMP::does_self_intersect(mesh));
-    }
+  for(double error : { 1e-15, 1e-6, 1e-2, 0.2 }) check_rough_sphere(squared_norm(6, 0.25), error, true);
 }
 
 TEST_CASE("Level set: across cells of different sizes, the set is closed and on the level", "[slow]")
@@ -352,15 +341,12 @@ TEST_CASE("Level set: across cells of different sizes, the set is closed and on 
   for(unsigned seed = 0; seed < 6; ++seed) {
     const int levels = 2 + int(seed) % 3;
     // Levels change at the sphere, so it crosses cells of two sizes.
-    const Hierarchical_field field = hierarchical_squared_norm(seed, levels < 4 ? 10 : 14, 0.25, levels);
+    const Field field = hierarchical_squared_norm(seed, levels < 4 ? 10 : 14, 0.25, levels);
     REQUIRE(*field.value(Point_3(0.3, 0.4, 1.2)) == Approx(1.69));
     for(double level : { 1.21, 1., 1.5625, 2.1 }) // some pass through corners of cells
       for(int ratio : { 1, 2, 3 }) {
         CAPTURE(seed, level, ratio);
-        Mesh mesh;
-        REQUIRE(extract_level_set(field, level, mesh, CGAL::parameters::subdivision_ratio(ratio))
-                == Level_set_status::SUCCESS);
-        check_closed_manifold(mesh);
+        const Mesh mesh = closed_level_set(field, level, ratio);
         CHECK(euler_characteristic(mesh) == 2);
         CHECK(PMP::is_outward_oriented(mesh));
         CHECK(largest_error(mesh, field, level) < 1e-11);
@@ -373,56 +359,27 @@ TEST_CASE("Level set: the level set of a random field on cells of different size
 {
   std::size_t passed = 0;
   for(unsigned seed = 0; seed < 12; ++seed) {
+    CAPTURE(seed);
     std::mt19937 random(seed);
-    std::uniform_int_distribution<int> any(-3, 3);
-    // The field is large at the end of the cells, so level sets do not leave them.
-    const Hierarchical_field field = make_hierarchical_field(
-      seed, 6, 1, 2 + int(seed) % 2, [&](const Vector_3& g, double) {
-        const double m = (std::max)({ std::abs(g.x()), std::abs(g.y()), std::abs(g.z()) });
-        return m > 3 ? 216. * 4 : 216. * any(random);
-      });
-    for(int ratio : { 1, 2 })
-      for(const Point_3& p : { Point_3(0, 0, 0), Point_3(1, -1, 2), Point_3(-2, 1, 1), Point_3(0.5, 0, 1) }) {
-        const double level = *field.value(p);
-        CAPTURE(seed, ratio, p, level);
-        Mesh mesh;
-        const Level_set_status status = extract_level_set(field, level, mesh,
-                                                          CGAL::parameters::subdivision_ratio(ratio));
-        REQUIRE((status == Level_set_status::SUCCESS || level >= 216 * 4));
-        if(status != Level_set_status::SUCCESS) continue;
-        ++passed;
-        check_closed_manifold(mesh);
-        CHECK(euler_characteristic(mesh) % 2 == 0);
-        CHECK_FALSE(PMP::does_self_intersect(mesh));
-        CHECK(largest_error(mesh, field, level) < 1e-8);
-      }
+    passed += check_random_level_sets(make_hierarchical_field(
+      seed, 6, 1, 2 + int(seed) % 2, [&](const Vector_3& g, double) { return random_coefficient(random, g); }));
   }
   CHECK(passed > 60);
 }
 
 TEST_CASE("Level set: cells of different sizes that disagree on their common faces cause no cracks")
 {
-  const Hierarchical_field field = hierarchical_squared_norm(3, 10, 0.25, 3);
   for(double error : { 1e-15, 1e-6, 1e-2, 0.1 })
-    for(int ratio : { 1, 2, 3 }) {
-      CAPTURE(error, ratio);
-      const Rough_field rough(field, error);
-      Mesh mesh;
-      REQUIRE(extract_level_set(rough, 1, mesh, CGAL::parameters::subdivision_ratio(ratio))
-              == Level_set_status::SUCCESS);
-      check_closed_manifold(mesh);
-      if(error < 1e-3) CHECK(euler_characteristic(mesh) == 2);
-      CHECK(largest_error(mesh, field, 1) < 1e-12 + 3 * error);
-    }
+    check_rough_sphere(hierarchical_squared_norm(3, 10, 0.25, 3), error, false);
 }
 
 TEST_CASE("Level set: on cells of different sizes, selected cells must contain the whole set")
 {
-  const Hierarchical_field field = hierarchical_squared_norm(5, 10, 0.25, 4);
+  const Field field = hierarchical_squared_norm(5, 10, 0.25, 4);
   Mesh mesh;
-  const Hierarchical_field::Cell_index last = field.locate(Point_3(0.7, 0.7, 0.1));
+  const Field::Cell_index last = field.locate(Point_3(0.7, 0.7, 0.1));
   std::vector<char> passed(field.number_of_cells(), 0);
-  std::size_t refused = 0, all = 0;
+  std::size_t rejected = 0, all = 0;
   for(Hierarchical_field::Cell_index c = 0; c < field.number_of_cells(); ++c) {
     const auto range = field.cell(c).coefficient_range();
     if(range.first > 0.98 || range.second < 0.98) continue;
@@ -435,67 +392,53 @@ TEST_CASE("Level set: on cells of different sizes, selected cells must contain t
     if(least > 0.9 || most < 1.1) continue; // the sphere does not cross the middle of the cell
     ++all;
     if(all % 40 != 0 && c != last) continue;
-    refused += extract_level_set(field, 0.98, mesh, CGAL::parameters::filter([c](auto other) { return other != c; }))
-               == Level_set_status::LEVEL_SET_LEAVES_CELLS;
+    rejected += extract_level_set(field, 0.98, mesh, CGAL::parameters::filter([c](auto other) { return other != c; }))
+                == Level_set_status::LEVEL_SET_LEAVES_CELLS;
     ++passed[c];
   }
-  CHECK(refused == std::size_t(std::count(passed.begin(), passed.end(), 1)));
-  CHECK(refused > 5);
+  CHECK(rejected == std::size_t(std::count(passed.begin(), passed.end(), 1)));
+  CHECK(rejected > 5);
   CHECK(mesh.is_empty());
 }
 
 TEST_CASE("Level set: the set of a varying threshold is where the field equals the threshold")
 {
   // |x|^2 = 1 + x / 2 is a sphere around (1/4, 0, 0)
-  const Hierarchical_field field = hierarchical_squared_norm(2, 10, 0.25, 3);
-  const CGAL::Bspline_shells::Spline_threshold<Hierarchical_field> threshold(
+  const Field field = hierarchical_squared_norm(2, 10, 0.25, 3);
+  const CGAL::Bspline_shells::Spline_threshold<Field> threshold(
     make_hierarchical_field(2, 10, 0.25, 3, [](const Vector_3& g, double) { return 1 + g.x() / 2; }));
-  Mesh mesh;
-  REQUIRE(extract_level_set(field, threshold, mesh) == Level_set_status::SUCCESS);
-  check_closed_manifold(mesh);
+  const Mesh mesh = closed_level_set(field, threshold);
   CHECK(euler_characteristic(mesh) == 2);
   CHECK(PMP::is_outward_oriented(mesh));
   double largest = 0;
   for(auto v : mesh.vertices())
-    largest = (std::max)(
-      largest, std::abs(std::sqrt(CGAL::squared_distance(mesh.point(v), Point_3(0.25, 0, 0))) - std::sqrt(1.0625)));
+    largest = (std::max)(largest, std::abs(distance(mesh.point(v), Point_3(0.25, 0, 0)) - std::sqrt(1.0625)));
   CHECK(largest < 1e-11);
-  Mesh by_number, by_constant;
-  REQUIRE(extract_level_set(field, 1, by_number) == Level_set_status::SUCCESS);
-  REQUIRE(extract_level_set(field, CGAL::Bspline_shells::Constant_threshold(1), by_constant)
-          == Level_set_status::SUCCESS);
-  CHECK(by_number.number_of_faces() == by_constant.number_of_faces());
+  CHECK(closed_level_set(field, 1).number_of_faces()
+        == closed_level_set(field, CGAL::Bspline_shells::Constant_threshold(1)).number_of_faces());
 }
 
 TEST_CASE("Level set: selected cells pick one of two spheres, and must contain it completely")
 {
-  const auto distance = [](const Vector_3& g) {
+  const Field field = make_field(10, 0.25, [](const Vector_3& g) {
     const double x = std::abs(g.x()) - 1.25;
     return std::sqrt(x * x + g.y() * g.y() + g.z() * g.z()) - 0.7;
-  };
-  const Field field = make_field(10, 0.25, distance);
-  Mesh both;
-  REQUIRE(extract_level_set(field, 0, both) == Level_set_status::SUCCESS);
-  check_closed_manifold(both);
+  });
+  const Mesh both = closed_level_set(field, 0);
   CHECK(euler_characteristic(both) == 4);
 
-  std::vector<char> is_left(field.number_of_cells()), is_low(field.number_of_cells());
-  for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c) {
-    is_left[c] = field.cell(c).corner()[0] < 0;
-    is_low[c] = field.cell(c).corner()[2] < 0;
-  }
+  namespace P = CGAL::Bspline_shells::parameters;
+  const auto is_left = [&](Field::Cell_index c) { return field.cell(c).corner()[0] < 0; };
+  const auto is_low = [&](Field::Cell_index c) { return field.cell(c).corner()[2] < 0; };
   Mesh left;
-  REQUIRE(
-    extract_level_set(field, 0, left, CGAL::parameters::filter([&](Field::Cell_index c) { return is_left[c] != 0; }))
-    == Level_set_status::SUCCESS);
+  REQUIRE(extract_level_set(field, 0, left, P::filter(is_left)) == Level_set_status::SUCCESS);
   check_closed_manifold(left);
   CHECK(euler_characteristic(left) == 2);
   CHECK(2 * left.number_of_faces() == both.number_of_faces());
   for(auto v : left.vertices()) CHECK(left.point(v).x() < 0);
 
   // all cells of the left surface, and some of the other one
-  const auto most = [&](Field::Cell_index c) { return is_left[c] || is_low[c]; };
-  namespace P = CGAL::Bspline_shells::parameters;
+  const auto most = [&](Field::Cell_index c) { return is_left(c) || is_low(c); };
   Mesh closed;
   CHECK(extract_level_set(field, 0, closed, P::filter(most)) == Level_set_status::LEVEL_SET_LEAVES_CELLS);
   REQUIRE(extract_level_set(field, 0, closed, P::filter(most).skip_open_components(true)) == Level_set_status::SUCCESS);
@@ -504,14 +447,11 @@ TEST_CASE("Level set: selected cells pick one of two spheres, and must contain i
   CHECK(closed.number_of_faces() == left.number_of_faces());
   for(auto v : closed.vertices()) CHECK(closed.point(v).x() < 0);
 
-  Mesh low;
-  CHECK(extract_level_set(field, 0, low,
-                          P::filter([&](Field::Cell_index c) { return is_low[c] != 0; }).skip_open_components(true))
-        == Level_set_status::LEVEL_SET_LEAVES_CELLS); // all components are open
-  CHECK(extract_level_set(field, 0, low, CGAL::parameters::filter([&](Field::Cell_index c) { return is_low[c] != 0; }))
-        == Level_set_status::LEVEL_SET_LEAVES_CELLS);
+  Mesh low; // all components are open
+  for(const auto& np : { P::filter(is_low).skip_open_components(true), P::filter(is_low).skip_open_components(false) })
+    CHECK(extract_level_set(field, 0, low, np) == Level_set_status::LEVEL_SET_LEAVES_CELLS);
   CHECK(low.is_empty());
-  CHECK(extract_level_set(field, 0, low, CGAL::parameters::filter([](Field::Cell_index) { return false; }))
+  CHECK(extract_level_set(field, 0, low, P::filter([](Field::Cell_index) { return false; }))
         == Level_set_status::LEVEL_SET_EMPTY);
 
   // A second level set is added to the first one.

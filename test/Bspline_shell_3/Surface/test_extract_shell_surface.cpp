@@ -1,13 +1,11 @@
-// Copyright (c) 2026 The authors of the cubic B-spline shell package.
-// All rights reserved.
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-
+// extract_shell_surface.h: the surfaces of a shell are closed manifolds on their thresholds, beside the mesh.
 #include <CGAL/Bspline_shell_3/Surface/extract_shell_surface.h>
+#include "coefficient_functions.h"
+#include "shell_reports.h"
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Surface/extract_level_set.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
@@ -15,7 +13,6 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <catch2/catch.hpp>
@@ -33,7 +30,7 @@ namespace {
 
 namespace BS = CGAL::Bspline_shells;
 namespace PMP = CGAL::Polygon_mesh_processing;
-typedef BS::Uniform_bspline_field_3<> Field;
+typedef BS::Hierarchical_bspline_field_3<> Field;
 typedef CGAL::Bspline_shell_3<Field> Shell;
 typedef BS::Shell_certificate_3<Field> Certificate;
 using BS::Level_set_status;
@@ -45,10 +42,20 @@ int check_closed_manifold(const Mesh& mesh)
   CHECK(CGAL::is_valid_polygon_mesh(mesh));
   CHECK(CGAL::is_triangle_mesh(mesh));
   CHECK(CGAL::is_closed(mesh));
-  std::vector<Mesh::Halfedge_index> pinched;
-  PMP::non_manifold_vertices(mesh, std::back_inserter(pinched));
-  CHECK(pinched.empty());
+  std::vector<Mesh::Halfedge_index> non_manifold;
+  PMP::non_manifold_vertices(mesh, std::back_inserter(non_manifold));
+  CHECK(non_manifold.empty());
   return int(mesh.number_of_vertices()) - int(mesh.number_of_edges()) + int(mesh.number_of_faces());
+}
+
+// Returns the surface at a threshold, which is a closed manifold with the given Euler characteristic.
+template <typename Shell, typename Threshold>
+Mesh closed_surface(const Shell& shell, const Threshold& threshold, int euler_characteristic)
+{
+  Mesh surface;
+  REQUIRE(extract_shell_surface(shell, threshold, surface) == Level_set_status::SUCCESS);
+  CHECK(check_closed_manifold(surface) == euler_characteristic);
+  return surface;
 }
 
 // Checks that both surfaces are closed, on their thresholds, and have the given Euler characteristic. Returns the
@@ -59,9 +66,7 @@ std::array<double, 2> check_surfaces(const Shell& shell, int euler_characteristi
   std::array<double, 2> volumes;
   for(int side = 0; side < 2; ++side) {
     const auto& threshold = side == 1 ? shell.outer_threshold() : shell.inner_threshold();
-    Mesh surface;
-    REQUIRE(extract_shell_surface(shell, threshold, surface) == Level_set_status::SUCCESS);
-    CHECK(check_closed_manifold(surface) == euler_characteristic);
+    const Mesh surface = closed_surface(shell, threshold, euler_characteristic);
     CHECK_FALSE(PMP::does_self_intersect(surface));
     double largest = 0;
     for(auto v : surface.vertices())
@@ -80,24 +85,7 @@ constexpr BS::Level_range levels{ -0.36, -0.062 };
 
 const Field& two_shells()
 {
-  static const Field field = [] {
-    const double width = 0.125;
-    const BS::Lattice_3 lattice(CGAL::Bbox_3(0, 0, 0, 0, 0, 0), width);
-    std::vector<std::uint64_t> keys;
-    for(int k = -9; k < 9; ++k)
-      for(int j = -9; j < 9; ++j)
-        for(int i = -9; i < 9; ++i) keys.push_back(BS::Lattice_key::encode(i, j, k));
-    std::sort(keys.begin(), keys.end());
-    Field f{ BS::Cell_complex_3(lattice, keys) };
-    Eigen::VectorXd x(Eigen::Index(f.number_of_coefficients()));
-    for(std::size_t n = 0; n < f.number_of_coefficients(); ++n) {
-      const auto& p = f.functions().point(Field::Cell_index(n));
-      const double r = width * std::sqrt(double(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]));
-      x[Eigen::Index(n)] = -8 * (r - 0.7) * (r - 0.7);
-    }
-    f.set_coefficients(x);
-    return f;
-  }();
+  static const Field field = radial_spline<Field>(9, 0.125, [](double r) { return -8 * (r - 0.7) * (r - 0.7); });
   return field;
 }
 
@@ -107,10 +95,7 @@ Mesh small_sphere()
 }
 Mesh both_spheres()
 {
-  Mesh mesh = sphere(3, 0.85);
-  PMP::reverse_face_orientations(mesh);
-  CGAL::copy_face_graph(small_sphere(), mesh);
-  return mesh;
+  return joined(reversed(sphere(3, 0.85)), small_sphere());
 }
 
 Certificate certificate_of(const Mesh& mesh)
@@ -136,14 +121,8 @@ std::vector<BS::Cover_box> boxes_within_ridge(const Certificate& certificate)
 // Returns the shell of a certificate's mesh, with the given boxes.
 Shell shell_of(const Certificate& certificate, const std::vector<BS::Cover_box>& boxes, bool has_cover = true)
 {
-  std::vector<char> cells(two_shells().number_of_cells(), 0);
-  for(const BS::Cover_box& box : boxes)
-    if(box.component != BS::Cover_box::no_component) cells[box.cell] = 1;
-  BS::Shell_report report;
-  report.status = BS::Shell_status::SUCCESS;
-  report.unit = 1;
-  report.certificate = certificate.report();
-  Shell shell(two_shells(), levels, cells, {}, report);
+  Shell shell(two_shells(), levels, cells_of_cover(boxes, two_shells().number_of_cells()), {},
+              successful_report(1, certificate.report()));
   if(has_cover) shell.set_proved_cover(boxes);
   REQUIRE(shell.is_certified());
   return shell;
@@ -198,12 +177,10 @@ TEST_CASE("Shell surfaces: other parts of the level set in the same cells are ex
         == Level_set_status::LEVEL_SET_LEAVES_CELLS);
   double volume = 0;
   for(const auto& threshold : { shell.inner_threshold(), BS::Constant_threshold(-0.2), shell.outer_threshold() }) {
-    surface.clear();
-    REQUIRE(extract_shell_surface(shell, threshold, surface) == Level_set_status::SUCCESS);
-    CHECK(check_closed_manifold(surface) == 2);
-    CHECK(is_small(surface));
-    CHECK(PMP::volume(surface) > volume);
-    volume = PMP::volume(surface);
+    const Mesh inside = closed_surface(shell, threshold, 2);
+    CHECK(is_small(inside));
+    CHECK(PMP::volume(inside) > volume);
+    volume = PMP::volume(inside);
   }
 }
 
@@ -212,26 +189,20 @@ TEST_CASE("Shell surfaces: other parts of the level set in the same cover compon
   std::vector<BS::Cover_box> cover = certificate_of(both_spheres()).cover()->boxes();
   for(BS::Cover_box& box : cover)
     if(box.component != BS::Cover_box::no_component) box.component = 0;
-  Mesh surface;
   const Shell shell = shell_of(certificate_of(small_sphere()), cover);
-  REQUIRE(extract_shell_surface(shell, shell.outer_threshold(), surface) == Level_set_status::SUCCESS);
-  CHECK(check_closed_manifold(surface) == 2);
-  CHECK(is_small(surface));
+  CHECK(is_small(closed_surface(shell, shell.outer_threshold(), 2)));
 
   // Surfaces at other components of the mesh are not left out.
   const Shell shell_of_both = shell_of(certificate_of(both_spheres()), cover);
-  surface.clear();
-  REQUIRE(extract_shell_surface(shell_of_both, shell.outer_threshold(), surface) == Level_set_status::SUCCESS);
-  CHECK(check_closed_manifold(surface) == 4);
+  closed_surface(shell_of_both, shell.outer_threshold(), 4);
 }
 
 TEST_CASE("Shell surfaces: without a cover, all surfaces in the shell's cells are extracted")
 {
   const Certificate of_both = certificate_of(both_spheres()), of_one = certificate_of(small_sphere());
   const Shell shell = shell_of(of_both, of_both.cover()->boxes(), false);
+  closed_surface(shell, shell.outer_threshold(), 4);
   Mesh surface;
-  REQUIRE(extract_shell_surface(shell, shell.outer_threshold(), surface) == Level_set_status::SUCCESS);
-  CHECK(check_closed_manifold(surface) == 4);
   const Shell one = shell_of(of_one, boxes_within_ridge(of_one), false);
   CHECK(extract_shell_surface(one, one.outer_threshold(), surface) == Level_set_status::LEVEL_SET_LEAVES_CELLS);
 }

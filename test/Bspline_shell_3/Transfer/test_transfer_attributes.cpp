@@ -61,7 +61,7 @@ void check_identity(const char* name, const Function& value)
 
 Mesh source_sheet()
 {
-  return sheet(steps(-0.8, 0.8, 7), steps(-0.8, 0.8, 9), [](double, double) { return 0.; });
+  return sheet(steps(-0.8, 0.8, 7), steps(-0.8, 0.8, 9));
 }
 double tilt(double x, double y)
 {
@@ -209,7 +209,7 @@ TEST_CASE("Transfer: averaging preserves the sum of the values, weighted by the 
 {
   // A fine sheet is averaged to a coarse one in the same rectangle. The sums of (value times area around a vertex) are
   // compared.
-  Mesh a = sheet(steps(-0.7, 0.7, 20), steps(-0.7, 0.7, 20), [](double, double) { return 0.1; }),
+  Mesh a = sheet(steps(-0.7, 0.7, 20), steps(-0.7, 0.7, 20), 0.1),
        b = sheet(steps(-0.7, 0.7, 3), steps(-0.7, 0.7, 2), tilt);
   const Map map(slab(), a, b);
   auto d = map_of<Vertex, double>(a, "v:d"), d2 = map_of<Vertex, double>(b, "v:d");
@@ -295,7 +295,7 @@ TEST_CASE("Transfer: under the identity, labels of any type are unchanged")
 TEST_CASE("Transfer: a facet gets the label that covers most of it")
 {
   // The source has strips along x with borders at 0.1 and 0.3. Each target is a single facet across them.
-  Mesh a = sheet({ -0.8, 0.1, 0.3, 0.8 }, { -0.8, 0.8 }, [](double, double) { return 0.; });
+  Mesh a = sheet({ -0.8, 0.1, 0.3, 0.8 }, { -0.8, 0.8 });
   auto label = map_of<Face, int>(a, "f:l");
   const auto strip = [](double x) { return x < 0.1 ? 0 : x < 0.3 ? 1 : 2; };
   for(auto f : a.faces()) label[f] = strip(centroid(a, f).x());
@@ -343,7 +343,7 @@ TEST_CASE("Transfer: tangent vectors are mapped to tangent vectors of the target
        again = map_of<Face, Vector_3>(a, "f:again");
   CGAL::Random random(6);
   for(auto f : a.faces()) {
-    const std::array<Point_3, 3> t = triangle(a, f);
+    const std::array<Point_3, 3> t = corners(a, f);
     v[f] = random.get_double(-5, 5) * (t[1] - t[0]) + random.get_double(-5, 5) * (t[2] - t[0]);
   }
   const double stretch = 0.85 / 0.7;
@@ -438,23 +438,20 @@ TEST_CASE("Transfer: failures are reported, and values there are unchanged")
   const Map of_quads(ball(), quads, b);
   check_none(of_quads, Flow_status::INVALID_MESH);
   CHECK(BS::average_vertex_attribute(of_quads, d, d2).failures.size() == b.number_of_vertices());
-  Mesh turned_round = a;
-  for(auto v : turned_round.vertices()) turned_round.point(v) = CGAL::ORIGIN - (turned_round.point(v) - CGAL::ORIGIN);
-  check_none(Map(ball(), turned_round, b), Flow_status::WRONG_ORIENTATION);
-  Mesh elsewhere = a;
-  for(auto v : elsewhere.vertices()) elsewhere.point(v) = elsewhere.point(v) + 2 * (elsewhere.point(v) - CGAL::ORIGIN);
+  const Mesh reflected = mapped(a, [](const Point_3& p) { return CGAL::ORIGIN - (p - CGAL::ORIGIN); });
+  check_none(Map(ball(), reflected, b), Flow_status::WRONG_ORIENTATION);
+  const auto tripled = [](const Point_3& p) { return CGAL::ORIGIN + 3 * (p - CGAL::ORIGIN); };
+  const Mesh elsewhere = mapped(a, tripled), too_far = mapped(b, tripled);
   const Map outside(ball(), elsewhere, b);
   const BS::Transfer_report left = BS::transfer_vertex_attribute(outside, d, d2);
   CHECK(left.transferred == 0);
   for(const auto& failure : left.failures) CHECK(failure.second == Flow_status::LEAVES_SHELL);
-  Mesh too_far = b;
-  for(auto v : too_far.vertices()) too_far.point(v) = too_far.point(v) + 2 * (too_far.point(v) - CGAL::ORIGIN);
   const BS::Transfer_report none = BS::transfer_face_labels(Map(ball(), a, too_far), l, l2);
   CHECK(none.transferred == 0);
   for(const auto& failure : none.failures) CHECK(failure.second == Flow_status::STARTS_OUTSIDE);
 
   // The visitor stops the transfer. Finished values are set, others are unchanged.
-  struct Hasty
+  struct Stopping_visitor
   {
     std::size_t calls = 0, done = 0;
     bool advance(std::size_t n, std::size_t)
@@ -466,7 +463,7 @@ TEST_CASE("Transfer: failures are reported, and values there are unchanged")
   };
   Mesh many = sphere(5, 0.85); // 10242 vertices, 20480 facets, 81920 samples
   auto labels = map_of<Face, int>(many, "f:l", -7);
-  Hasty visitor;
+  Stopping_visitor visitor;
   const BS::Transfer_report some = BS::transfer_face_labels(Map(ball(), a, many), l, labels,
                                                             P::visitor(std::ref(visitor)));
   CHECK(visitor.calls == 1);
@@ -615,7 +612,7 @@ TEST_CASE("Transfer: results do not depend on the number of threads, bit for bit
   auto w = map_of<Face, Vector_3>(a, "f:w"), w1 = map_of<Face, Vector_3>(b, "f:1"),
        w2 = map_of<Face, Vector_3>(b, "f:2");
   for(auto v : a.vertices()) d[v] = std::sin(5 * a.point(v).x());
-  for(auto f : a.faces()) w[f] = triangle(a, f)[1] - triangle(a, f)[0];
+  for(auto f : a.faces()) w[f] = corners(a, f)[1] - corners(a, f)[0];
   const auto compare = [&]() {
     std::size_t different = 0;
     for(auto v : b.vertices()) different += one[v] != two[v];

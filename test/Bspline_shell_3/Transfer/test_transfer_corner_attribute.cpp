@@ -85,7 +85,7 @@ TEST_CASE("Texture coordinates: under the identity, coordinates are unchanged, e
 TEST_CASE("Texture coordinates: a facet across a seam gets the coordinates of one side, and is reported")
 {
   // Vertices and edges of the source are on the seam; steps are 1/8.
-  Mesh a = sheet(steps(-0.75, 0.75, 12), steps(-0.8, 0.8, 7), [](double, double) { return 0.; });
+  Mesh a = sheet(steps(-0.75, 0.75, 12), steps(-0.8, 0.8, 7));
   Texture on_a = texture_of(a, "h:uv");
   set_texture(a, on_a, cut_sheet);
   for(int number : { 3, 10, 12, 37 }) {
@@ -100,7 +100,7 @@ TEST_CASE("Texture coordinates: a facet across a seam gets the coordinates of on
     CHECK(report);
     const std::set<std::size_t> named(report.facets_across_seams.begin(), report.facets_across_seams.end());
     for(auto f : b.faces()) {
-      const std::array<Point_3, 3> t = triangle(b, f);
+      const std::array<Point_3, 3> t = corners(b, f);
       const double least = (std::min)({ t[0].x(), t[1].x(), t[2].x() }),
                    largest = (std::max)({ t[0].x(), t[1].x(), t[2].x() });
       const double near = 1e-6;
@@ -149,8 +149,8 @@ TEST_CASE("Texture coordinates: around a ball, no edge runs around the wrong way
 
 TEST_CASE("Texture coordinates: failures are reported, and corners there are unchanged")
 {
-  Mesh a = sheet(steps(-0.75, 0.5, 5), steps(-0.75, 0.75, 7), [](double, double) { return 0.; });
-  Mesh b = sheet(steps(-0.7, 0.7, 7), steps(-0.7, 0.7, 7), [](double, double) { return 0.1; });
+  Mesh a = sheet(steps(-0.75, 0.5, 5), steps(-0.75, 0.75, 7));
+  Mesh b = sheet(steps(-0.7, 0.7, 7), steps(-0.7, 0.7, 7), 0.1);
   Texture on_a = texture_of(a, "h:uv"), on_b = texture_of(b, "h:uv");
   set_texture(a, on_a, cut_sheet);
   BS::Transfer_report report = BS::transfer_corner_attribute(Polynomial_map(slab(), a, b), on_a, on_b);
@@ -161,7 +161,7 @@ TEST_CASE("Texture coordinates: failures are reported, and corners there are unc
     failed.insert(failure.first);
   }
   for(auto f : b.faces()) {
-    const std::array<Point_3, 3> t = triangle(b, f);
+    const std::array<Point_3, 3> t = corners(b, f);
     const double largest = (std::max)({ t[0].x(), t[1].x(), t[2].x() });
     CHECK(failed.count(std::size_t(f)) == std::size_t(largest > 0.5));
     for(auto h : b.halfedges_around_face(b.halfedge(f))) CHECK((on_b[h] == Point_2(-7, -7)) == (largest > 0.5));

@@ -146,14 +146,14 @@ void turn_some(const Mesh& mesh, Mesh::Property_map<Face, Vector_3>& vectors, in
 TEST_CASE("Tangent vectors: the mean over a facet is the mean of the source facets that it covers")
 {
   // Each facet of the target covers 16 facets of the source; their centroids are the samples.
-  Mesh coarse = sheet(steps(-0.6, 0.6, 2), steps(-0.6, 0.6, 2), [](double, double) { return 0.4; }),
-       fine = sheet(steps(-0.6, 0.6, 8), steps(-0.6, 0.6, 8), [](double, double) { return 0.; });
+  Mesh coarse = sheet(steps(-0.6, 0.6, 2), steps(-0.6, 0.6, 2), 0.4),
+       fine = sheet(steps(-0.6, 0.6, 8), steps(-0.6, 0.6, 8));
   CGAL::Random random(3);
   auto v = at_facets(fine, "v"), mean = at_facets(coarse, "mean");
   std::map<std::size_t, std::vector<Vector_3> > covered;
   const auto triangle_of = [](const Mesh& mesh, const Point_3& p) {
     for(Face f : mesh.faces()) {
-      const auto t = triangle(mesh, f);
+      const auto t = corners(mesh, f);
       bool inside = true;
       for(int i = 0; i < 3; ++i) {
         const Vector_3 e = t[(i + 1) % 3] - t[i], d = p - t[i];
@@ -204,7 +204,7 @@ TEST_CASE("Tangent vectors: means and interpolation of crosses do not depend on 
 
 TEST_CASE("Tangent vectors at vertices: a linear field on a plane is interpolated and mapped exactly")
 {
-  Mesh flat = sheet(steps(-0.8, 0.8, 7), steps(-0.8, 0.8, 9), [](double, double) { return 0.; }),
+  Mesh flat = sheet(steps(-0.8, 0.8, 7), steps(-0.8, 0.8, 9)),
        tilted = sheet(steps(-0.7, 0.65, 11), steps(-0.6, 0.7, 6),
                       [](double x, double y) { return 0.2 + 0.3 * x - 0.25 * y; });
   const auto linear = [](double x, double y) { return Vector_3(1 + x - 2 * y, 0.5 * x + y - 2, 0); };

@@ -4,7 +4,6 @@
 
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 
 #include <CGAL/Mpzf.h>
 
@@ -18,6 +17,7 @@
 #include <vector>
 
 namespace BS = CGAL::Bspline_shells;
+typedef BS::Hierarchical_bspline_field_3<> Field;
 
 // Sums and products of `double`s are exact.
 typedef CGAL::Mpzf Dyadic;
@@ -52,29 +52,10 @@ struct Exact_jet
   Dyadic_vector gradient;
 };
 
-namespace internal {
-
-template <typename GeomTraits, typename Visitor>
-void visit_coefficients(const BS::Uniform_bspline_field_3<GeomTraits>& field, std::uint32_t cell, const Visitor& visit)
-{
-  const auto rows = field.coefficient_rows(cell);
-  for(int n = 0; n < 64; ++n) visit(n, rows[n / 4] + n % 4, 1.);
-}
-template <typename GeomTraits, typename Visitor>
-void visit_coefficients(const BS::Hierarchical_bspline_field_3<GeomTraits>& field, std::uint32_t cell,
-                        const Visitor& visit)
-{
-  field.visit_coefficients(cell, visit);
-}
-
-} // namespace internal
-
-template <typename Field_>
 class Exact_field
 {
 public:
-  typedef Field_ Field;
-  typedef typename Field::Cell_index Cell_index;
+  typedef Field::Cell_index Cell_index;
   enum Where
   {
     INSIDE,
@@ -95,7 +76,7 @@ public:
       form = std::make_unique<Cell_form>();
       std::array<Dyadic, 64>& b = form->coefficients;
       b.fill(Dyadic(0));
-      internal::visit_coefficients(*m_field, c, [&](int n, Cell_index coefficient, double weight) {
+      m_field->visit_coefficients(c, [&](int n, Cell_index coefficient, double weight) {
         const double x = m_field->coefficients()[coefficient];
         form->is_finite = form->is_finite && std::isfinite(x);
         if(form->is_finite) b[std::size_t(n)] += Dyadic(weight) * Dyadic(x);
@@ -212,8 +193,7 @@ class Exact_threshold<BS::Constant_threshold>
 public:
   explicit Exact_threshold(const BS::Constant_threshold& threshold) : m_level(threshold.level()) {}
   bool is_defined(std::uint32_t) const { return true; }
-  template <typename Field>
-  Exact_jet jet(const Exact_field<Field>& field, std::uint32_t c, const Dyadic_vector&) const
+  Exact_jet jet(const Exact_field& field, std::uint32_t c, const Dyadic_vector&) const
   {
     return { m_level * field.scale(c), { Dyadic(0), Dyadic(0), Dyadic(0) } };
   }
@@ -221,7 +201,7 @@ private:
   Dyadic m_level;
 };
 
-template <typename Field>
+template <>
 class Exact_threshold<BS::Spline_threshold<Field> >
 {
 public:
@@ -229,10 +209,10 @@ public:
     : m_threshold(threshold), m_field(m_threshold.field())
   {}
   bool is_defined(std::uint32_t c) const { return m_field.bernstein(c) != nullptr; }
-  Exact_jet jet(const Exact_field<Field>&, std::uint32_t c, const Dyadic_vector& p) const { return m_field.jet(c, p); }
+  Exact_jet jet(const Exact_field&, std::uint32_t c, const Dyadic_vector& p) const { return m_field.jet(c, p); }
 private:
   BS::Spline_threshold<Field> m_threshold;
-  Exact_field<Field> m_field;
+  Exact_field m_field;
 };
 
 #endif // EXACT_FIELD_H

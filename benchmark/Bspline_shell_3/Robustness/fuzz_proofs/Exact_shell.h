@@ -17,13 +17,13 @@
 
 using BS::Verdict;
 
-template <typename Field_, typename Threshold_>
+template <typename Threshold_>
 class Exact_shell
 {
 public:
-  typedef Field_ Field;
+  typedef ::Field Field;
   typedef Threshold_ Threshold;
-  typedef typename Field::Cell_index Cell_index;
+  typedef Field::Cell_index Cell_index;
   // Jets at a point, multiplied by a positive factor that depends on the cell.
   struct Jets
   {
@@ -49,7 +49,7 @@ public:
   {}
 
   const Field& field() const { return m_field.field(); }
-  const Exact_field<Field>& exact_field() const { return m_field; }
+  const Exact_field& exact_field() const { return m_field; }
   const Threshold& inner() const { return m_inner_threshold; }
   const Threshold& outer() const { return m_outer_threshold; }
 
@@ -88,7 +88,7 @@ private:
     return sign * (field().cell(c).value(p) - threshold.value(p, c));
   }
 
-  Exact_field<Field> m_field;
+  Exact_field m_field;
   Threshold m_inner_threshold, m_outer_threshold;
   Exact_threshold<Threshold> m_inner, m_outer;
 };

@@ -57,10 +57,10 @@ inline Mesh random_sphere(CGAL::Random& random, double noise)
   return mesh;
 }
 
-template <typename Field, typename Threshold>
+template <typename Threshold>
 class Certificate_check
 {
-  typedef Exact_shell<Field, Threshold> Shell;
+  typedef Exact_shell<Threshold> Shell;
   typedef typename Shell::Jets Jets;
   typedef BS::Shell_certificate_3<Field, Threshold> Certificate;
 
@@ -80,7 +80,7 @@ public:
     m_center = Vector(lattice.origin()[0], lattice.origin()[1], lattice.origin()[2]);
     const Root_cells roots = some_cells(random, lattice, { -half_cells, -half_cells, -half_cells },
                                         { half_cells - 1, half_cells - 1, half_cells - 1 });
-    Field field = zero_field(random, roots, static_cast<const Field*>(nullptr));
+    Field field = zero_field(random, roots);
 
     const Vector axes = Vector::Ones() + random.get_double(0, 0.2) * random_vector(random),
                  offset = 0.1 * random_vector(random);
@@ -342,7 +342,7 @@ private:
     if(w.reason == Witness::CRITICAL_POINT) {
       // Newton's method must stay nearby.
       std::array<double, 3> x = w.point;
-      const auto c = typename Field::Cell_index(w.cell);
+      const auto c = Field::Cell_index(w.cell);
       const auto cell = shell.field().cell(c);
       for(int step = 0; step < 20; ++step) {
         const auto jet = cell.second_order_jet(x);

@@ -287,11 +287,11 @@ private:
     const auto& boxes = m_cover.boxes();
     std::vector<char> is_at_end(boxes.size(), 0);
     for(auto b : m_cover.at_end()) is_at_end[b] = 1;
-    const Root_cells& roots = roots_of(m_shell.field().cells());
+    const Root_cells& roots = m_shell.field().cells().roots();
     m_tally.count("end", Verdict::PROVED);
     for(std::size_t n = 0; n < boxes.size(); ++n) {
       if(boxes[n].component == BS::Cover_box::no_component) continue;
-      const int depth = level_of(m_shell.field().cells(), boxes[n].cell) + boxes[n].depth;
+      const int depth = m_shell.field().cells().level(boxes[n].cell) + boxes[n].depth;
       const Lattice_point p = m_shell.field().cells().lattice_point(boxes[n].cell);
       Lattice_point root;
       std::array<int, 3> first, last;
@@ -333,10 +333,6 @@ private:
     const Jets j = m_shell.jets(c, dyadic(p));
     return j.f.value >= j.inner.value && j.f.value <= j.outer.value;
   }
-  static const Root_cells& roots_of(const Root_cells& cells) { return cells; }
-  static const Root_cells& roots_of(const Hierarchy& cells) { return cells.roots(); }
-  static int level_of(const Root_cells&, std::uint32_t) { return 0; }
-  static int level_of(const Hierarchy& cells, std::uint32_t c) { return cells.level(c); }
 
   void check_gradients()
   {

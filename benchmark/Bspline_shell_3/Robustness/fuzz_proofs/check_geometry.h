@@ -330,14 +330,13 @@ inline void check_tricubics(Tally& tally, CGAL::Random& random)
 }
 
 // Copies of polynomials in cells are within their radius. Where cells meet, values and gradients agree.
-template <typename Field>
-void check_cells(Tally& tally, CGAL::Random& random, const Exact_field<Field>& exact)
+inline void check_cells(Tally& tally, CGAL::Random& random, const Exact_field& exact)
 {
   const Field& field = exact.field();
   const std::size_t stride = field.number_of_cells() / 16 + 1;
   for(std::size_t c = std::size_t(random.get_int(0, int(stride))); c < field.number_of_cells(); c += stride) {
-    const auto cell = field.cell(typename Field::Cell_index(c));
-    const auto* b = exact.bernstein(typename Field::Cell_index(c));
+    const auto cell = field.cell(Field::Cell_index(c));
+    const auto* b = exact.bernstein(Field::Cell_index(c));
     const double radius = cell.error_radius();
     if(!b || !std::isfinite(radius)) {
       tally.count("error_radius", Verdict::UNDECIDED);
@@ -359,8 +358,8 @@ void check_cells(Tally& tally, CGAL::Random& random, const Exact_field<Field>& e
     const int side = random.get_int(0, 3);
     for(int a = 0; a < 3; ++a)
       p[a] = cell.corner()[a] + cell.width() * (a == side ? random.get_int(0, 2) : random.get_int(0, 9) / 8.);
-    const Exact_jet here = exact.jet(typename Field::Cell_index(c), dyadic(p));
-    const Dyadic scale = exact.scale(typename Field::Cell_index(c));
+    const Exact_jet here = exact.jet(Field::Cell_index(c), dyadic(p));
+    const Dyadic scale = exact.scale(Field::Cell_index(c));
     bool agree = true;
     for(auto other : exact.cells_at(dyadic(p))) {
       if(!exact.bernstein(other)) continue;

@@ -36,8 +36,7 @@ double random_bound(CGAL::Random& random, const std::array<Point_3, size>& simpl
 }
 
 // Returns the magnitude of coefficients around a point.
-template <typename Field>
-double magnitude(const Field& field, const Point_3& p)
+inline double magnitude(const Field& field, const Point_3& p)
 {
   const auto c = field.locate(p);
   if(c == Field::npos) return 1;
@@ -45,8 +44,7 @@ double magnitude(const Field& field, const Point_3& p)
   return (std::max)(std::abs(range.first), std::abs(range.second));
 }
 
-template <typename Field>
-void check_compare(Tally& tally, CGAL::Random& random, const Random_cells& cells, const Exact_field<Field>& exact)
+inline void check_compare(Tally& tally, CGAL::Random& random, const Random_cells& cells, const Exact_field& exact)
 {
   const BS::Field_predicates_3<Field> predicates(exact.field());
   Vector u = cells.anywhere(random) + (chance(random, 0.1) ? 1 : 0) * random_vector(random);
@@ -59,17 +57,17 @@ void check_compare(Tally& tally, CGAL::Random& random, const Random_cells& cells
   const auto result = predicates.compare(p, level);
   if(!result) {
     tally.count("compare", Verdict::UNDECIDED);
-    typename Field::Cell_index c;
+    Field::Cell_index c;
     // The library may use another cell at the point, on which there is no value.
-    bool has_value = std::isfinite(level) && exact.locate(at, c) == Exact_field<Field>::INSIDE;
+    bool has_value = std::isfinite(level) && exact.locate(at, c) == Exact_field::INSIDE;
     for(auto other : exact.cells_at(at))
       has_value = has_value && exact.bernstein(other) && std::isfinite(exact.field().cell(other).error_radius());
     if(has_value) tally.wrong("compare", "no answer at" + describe(std::array<Point_3, 1>{ p }));
     return;
   }
-  typename Field::Cell_index c;
+  Field::Cell_index c;
   tally.count("compare", *result == CGAL::SMALLER ? Verdict::REFUTED : Verdict::PROVED);
-  if(exact.locate(at, c) != Exact_field<Field>::INSIDE) {
+  if(exact.locate(at, c) != Exact_field::INSIDE) {
     tally.wrong("compare", "answer outside the domain");
     return;
   }

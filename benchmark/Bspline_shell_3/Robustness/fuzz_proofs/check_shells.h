@@ -68,7 +68,7 @@ class Shell_check
   typedef Certified_shell::Field Field;
   typedef Certified_shell::Threshold Threshold;
   typedef BS::Shell_certificate_3<Field, Threshold> Certificate;
-  typedef Exact_shell<Field, Threshold> Shell;
+  typedef Exact_shell<Threshold> Shell;
   typedef Shell::Jets Jets;
   typedef CGAL::Exact_predicates_exact_constructions_kernel Lazy_kernel;
   typedef CGAL::Surface_mesh<Lazy_kernel::Point_3> Lazy_mesh;

@@ -21,12 +21,10 @@
 #include <iostream>
 #include <string>
 #include <thread>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 // Returns thresholds at or close to the extrema of the field on a triangle.
-template <typename Field>
 std::pair<BS::Constant_threshold, BS::Constant_threshold> random_thresholds(CGAL::Random& random, const Random_cells&,
                                                                             const Field& field, const Triangle& t,
                                                                             const BS::Constant_threshold*)
@@ -42,7 +40,6 @@ std::pair<BS::Constant_threshold, BS::Constant_threshold> random_thresholds(CGAL
            BS::Constant_threshold(std::isfinite(outer) ? outer : 0) };
 }
 
-template <typename Field>
 std::pair<BS::Spline_threshold<Field>, BS::Spline_threshold<Field> > random_thresholds(
   CGAL::Random& random, const Random_cells& cells, const Field& field, const Triangle& t,
   const BS::Spline_threshold<Field>*)
@@ -73,16 +70,15 @@ std::pair<BS::Spline_threshold<Field>, BS::Spline_threshold<Field> > random_thre
 }
 
 // Checks one field; each round has thresholds at a triangle.
-template <typename Field, typename Threshold>
+template <typename Threshold>
 void check_field(Tally& tally, CGAL::Random& random)
 {
-  typedef Exact_shell<Field, Threshold> Shell;
-  const Random_cells cells(random,
-                           std::is_same<Field, Uniform_field>::value ? random.get_int(1, 5) : random.get_int(1, 4));
+  typedef Exact_shell<Threshold> Shell;
+  const Random_cells cells(random, random.get_int(1, 5));
   if(!cells.roots.is_exact()) return;
-  const Field field = random_field<Field>(random, cells);
+  const Field field = random_field(random, cells);
   const BS::Field_predicates_3<Field> predicates(field);
-  const Exact_field<Field> exact(field);
+  const Exact_field exact(field);
   check_cells(tally, random, exact);
   for(int n = 0; n < 40; ++n) check_compare(tally, random, cells, exact);
   for(int round = 0; round < 4; ++round) {
@@ -127,8 +123,8 @@ void check_case(Tally& tally, std::uint64_t seed, std::uint64_t number)
   tally.begin(number);
   typedef BS::Constant_threshold Constant;
   switch(number % 17) {
-    case 0: Certificate_check<Uniform_field, Constant>(tally, random); break;
-    case 1: Certificate_check<Hierarchical_field, BS::Spline_threshold<Hierarchical_field> >(tally, random); break;
+    case 0: Certificate_check<Constant>(tally, random); break;
+    case 1: Certificate_check<BS::Spline_threshold<Field> >(tally, random); break;
     case 2:
     case 3:
       for(int n = 0; n < 20; ++n) {
@@ -140,15 +136,12 @@ void check_case(Tally& tally, std::uint64_t seed, std::uint64_t number)
       break;
     case 4:
     case 5:
-    case 6: check_field<Uniform_field, Constant>(tally, random); break;
+    case 6:
     case 7:
     case 8:
-    case 9: check_field<Uniform_field, BS::Spline_threshold<Uniform_field> >(tally, random); break;
-    case 10:
-    case 11:
-    case 12: check_field<Hierarchical_field, Constant>(tally, random); break;
-    case 13: Shell_check(tally, random); break;
-    default: check_field<Hierarchical_field, BS::Spline_threshold<Hierarchical_field> >(tally, random); break;
+    case 9: check_field<Constant>(tally, random); break;
+    case 10: Shell_check(tally, random); break;
+    default: check_field<BS::Spline_threshold<Field> >(tally, random); break;
   }
 }
 

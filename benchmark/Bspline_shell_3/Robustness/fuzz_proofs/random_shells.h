@@ -15,7 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -24,8 +23,6 @@ typedef Kernel::Point_3 Point_3;
 typedef std::array<Point_3, 2> Segment;
 typedef std::array<Point_3, 3> Triangle;
 typedef Eigen::Vector3d Vector;
-typedef BS::Uniform_bspline_field_3<Kernel> Uniform_field;
-typedef BS::Hierarchical_bspline_field_3<Kernel> Hierarchical_field;
 
 inline bool chance(CGAL::Random& random, double share)
 {
@@ -89,22 +86,19 @@ struct Random_cells
   }
 };
 
-inline Uniform_field zero_field(CGAL::Random&, const Root_cells& roots, const Uniform_field*)
+// Returns a field on cells of one size or several.
+inline Field zero_field(CGAL::Random& random, const Root_cells& roots)
 {
-  return Uniform_field(roots);
-}
-inline Hierarchical_field zero_field(CGAL::Random& random, const Root_cells& roots, const Hierarchical_field*)
-{
-  return Hierarchical_field(random_hierarchy(random, roots, chance(random, 0.1) ? 3 : 2));
+  return Field(random_hierarchy(random, roots, chance(random, 0.5) ? 1 : chance(random, 0.9) ? 2 : 3));
 }
 
 // Returns f(point) for the lattice points of coefficients, in units of root cells. Linear functions are reproduced.
-template <typename Field, typename Function>
+template <typename Function>
 Eigen::VectorXd coefficients(const Field& field, const Function& f)
 {
   Eigen::VectorXd x(Eigen::Index(field.number_of_coefficients()));
   for(std::size_t n = 0; n < field.number_of_coefficients(); ++n) {
-    const auto point = field.point_of_coefficient(typename Field::Cell_index(n));
+    const auto point = field.point_of_coefficient(Field::Cell_index(n));
     int level = 0;
     while(point < field.first_point(level)) ++level; // the finest level comes first
     const auto& p = field.points(level).point(point - field.first_point(level));
@@ -114,8 +108,7 @@ Eigen::VectorXd coefficients(const Field& field, const Function& f)
 }
 
 // Returns coefficients of order one, of several kinds.
-template <typename Field>
-Eigen::VectorXd random_coefficients(CGAL::Random& random, const Field& field, const Random_cells& cells)
+inline Eigen::VectorXd random_coefficients(CGAL::Random& random, const Field& field, const Random_cells& cells)
 {
   const Vector direction = random_direction(random), center = cells.anywhere(random) + 2 * random_vector(random);
   const int shape = random.get_int(0, 6);
@@ -136,10 +129,9 @@ Eigen::VectorXd random_coefficients(CGAL::Random& random, const Field& field, co
   });
 }
 
-template <typename Field>
-Field random_field(CGAL::Random& random, const Random_cells& cells)
+inline Field random_field(CGAL::Random& random, const Random_cells& cells)
 {
-  Field field = zero_field(random, cells.roots, static_cast<const Field*>(nullptr));
+  Field field = zero_field(random, cells.roots);
   Eigen::VectorXd x = random_coefficients(random, field, cells);
   x *= chance(random, 0.6) ? cells.spacing() : chance(random, 0.9) ? std::ldexp(1., random.get_int(-300, 301)) : 1e300;
   if(chance(random, 0.06))
@@ -152,14 +144,12 @@ Field random_field(CGAL::Random& random, const Random_cells& cells)
 }
 
 // Returns the field's value at a rounded point, or NaN outside the domain.
-template <typename Field>
-double rounded_value(const Field& field, const std::array<double, 3>& p)
+inline double rounded_value(const Field& field, const std::array<double, 3>& p)
 {
   const auto c = field.locate(Point_3(p[0], p[1], p[2]));
   return c == Field::npos ? std::numeric_limits<double>::quiet_NaN() : field.cell(c).value(p);
 }
-template <typename Field>
-Vector rounded_gradient(const Field& field, const std::array<double, 3>& p)
+inline Vector rounded_gradient(const Field& field, const std::array<double, 3>& p)
 {
   const auto c = field.locate(Point_3(p[0], p[1], p[2]));
   if(c == Field::npos) return Vector::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -218,8 +208,7 @@ inline Triangle random_triangle(CGAL::Random& random, const Random_cells& cells)
 }
 
 // Moves vertices along the gradient to the same value of the field, so that its values between them are decisive.
-template <typename Field>
-Triangle level_triangle(const Field& field, const Triangle& t)
+inline Triangle level_triangle(const Field& field, const Triangle& t)
 {
   Triangle result = t;
   const double level = rounded_value(field, { t[0][0], t[0][1], t[0][2] });
@@ -235,8 +224,7 @@ Triangle level_triangle(const Field& field, const Triangle& t)
 }
 
 // Turns a triangle so that the least slope across it is near zero, or negative but positive at the vertices.
-template <typename Field>
-Triangle grazing_triangle(CGAL::Random& random, const Field& field, const Triangle& t)
+inline Triangle grazing_triangle(CGAL::Random& random, const Field& field, const Triangle& t)
 {
   std::array<double, 3> middle;
   for(int a = 0; a < 3; ++a) middle[a] = t[0][a] / 3 + t[1][a] / 3 + t[2][a] / 3;

@@ -170,7 +170,8 @@ private:
 /*!
  * \ingroup PkgBsplineShell3Cells
  *
- * \brief a finite set of cells of a lattice, numbered from 0: the domain \f$D\f$ of a field.
+ * \brief a finite set of cells of a lattice, numbered from 0: the root cells of a `Cell_hierarchy_3`, and the domain
+ * \f$D\f$ of a field.
  *
  * Cells are closed cubes; cell \f$(i,j,k)\f$ has the lattice point \f$(i,j,k)\f$ as its smallest corner. Neighboring
  * cells along x have consecutive indices. Memory is linear in the number of cells.
@@ -206,28 +207,9 @@ public:
   int number_of_halvings() const { return number_of_cells() == 0 ? 0 : m_lattice.number_of_halvings(m_first, m_last); }
   std::size_t number_of_cells() const { return m_cells.size(); }
   double width() const { return m_lattice.spacing(); }
-  double width(Index) const { return width(); }
-  /// \name As a Hierarchy
-  /// The complex has one level, and all cells are leaves.
-  /// @{
-  int number_of_levels() const { return 1; }
-  int level(Index) const { return 0; }
-  bool is_split(int, const Lattice_3::Point&) const { return false; }
-  Index leaf(int, const Lattice_3::Point& p) const { return cell(p); }
-  Index leaf_around(int, const Lattice_3::Point& p) const { return cell(p); }
-  /// @}
   const Lattice_3::Point& lattice_point(Index cell) const { return m_cells.point(cell); }
   std::array<double, 3> corner(Index cell) const { return m_lattice.corner(m_cells.point(cell)); }
   Index cell(const Lattice_3::Point& p) const { return m_cells.index(p); }
-
-  /// returns the cell across the face of `cell` with normal along `axis`, on the side of larger (`positive`) or smaller
-  /// coordinates; `npos` at the boundary of the domain
-  Index neighbor(Index cell, int axis, bool positive) const
-  {
-    Lattice_3::Point p = m_cells.point(cell);
-    p[axis] += positive ? 1 : -1;
-    return m_cells.index(p);
-  }
 
   /// returns a cell that contains the point, or `npos` if there is none. For a point on a common face, this is the cell
   /// of larger coordinates if it exists.
@@ -283,8 +265,6 @@ public:
       }
     return covered;
   }
-
-  const Lattice_set_3& cells() const { return m_cells; }
 
 private:
   // Returns the cell with the lattice point `l`. If it does not exist, returns a cell below it, across axes along which

@@ -44,8 +44,8 @@ public:
   static constexpr Index npos = Cell_complex_3::npos; ///< no leaf
   Cell_hierarchy_3() : Cell_hierarchy_3(Cell_complex_3()) {}
 
-  /// constructs a hierarchy of root cells only
-  explicit Cell_hierarchy_3(Cell_complex_3 roots) : m_roots(std::move(roots))
+  /// constructs a hierarchy of root cells only, which are its leaves, with the same indices
+  Cell_hierarchy_3(Cell_complex_3 roots) : m_roots(std::move(roots))
   {
     int largest = 0;
     for(Index c = 0; c < m_roots.number_of_cells(); ++c)
@@ -173,7 +173,7 @@ public:
   Index locate(const Point& p) const
   {
     Index n = m_roots.locate(p);
-    if(n == npos) return npos;
+    if(n == npos || number_of_levels() == 1) return n;
     Lattice_3::Point cell = m_roots.lattice_point(n);
     for(int l = 0;; ++l) {
       const Node& node = m_levels[std::size_t(l)].nodes[n];

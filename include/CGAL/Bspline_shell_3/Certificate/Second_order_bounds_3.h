@@ -61,10 +61,9 @@ public:
   /// `gradient`, per user unit, rounded
   typedef typename Cells::Sample Sample;
 
-  /// the result for a triangle: `is_contained` and `is_transversal` are proved; `leaves_shell` and `faces_away` mean
-  /// that a claim fails at a point that is off the triangle by rounding at most, which proves nothing; `slope` is a
-  /// lower bound of the field's derivative along the unit normal, per user unit, 0 if the triangle is not proved
-  /// transversal
+  /// the result for a triangle: `is_contained` and `is_transversal` are proved. `leaves_shell` and `faces_away` prove
+  /// nothing: a claim fails at a point that may be off the triangle by rounding errors. `slope` is a lower bound of the
+  /// field's derivative along the unit normal, per user unit; it is 0 if the triangle is not proved transversal
   typedef internal::Facet_bounds Facet_bounds;
 
   /// Constructs the bounds without computing any: a cell is bounded when a point or a triangle first meets it.

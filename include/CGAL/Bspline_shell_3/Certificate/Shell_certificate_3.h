@@ -52,10 +52,10 @@ namespace Bspline_shells {
  * \brief proves that the integral curves of a field map a mesh one-to-one onto every other certified mesh in the same
  * shell, or reports where the proof fails.
  *
- * If all five claims (`Claim`) are proved, every integral curve in the components of the shell that contain the mesh
- * meets the mesh in exactly one point, and the mesh does not intersect itself. Let \f$c\f$ be a value between the
- * largest inner and the smallest outer threshold in these components. The mesh is isotopic in the shell to the level
- * set \f$\{f = c\}\f$. Two such meshes in the same components of the shell are mapped onto each other by a
+ * Consider the components of the shell that contain the mesh. If all five claims (`Claim`) are proved, every integral
+ * curve in them meets the mesh in exactly one point, and the mesh does not intersect itself. Let \f$c\f$ be a value
+ * between the largest inner and the smallest outer threshold in these components. The mesh is isotopic in the shell to
+ * the level set \f$\{f = c\}\f$. Two such meshes in the same components of the shell are mapped onto each other by a
  * homeomorphism. No proof relies on samples: values and slopes are enclosed on whole facets and boxes, and crossings
  * are counted exactly.
  *
@@ -67,7 +67,7 @@ namespace Bspline_shells {
  * \tparam Field_ a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
  */
-template <typename Field_ = Uniform_bspline_field_3<>, typename Threshold = Constant_threshold>
+template <typename Field_ = Hierarchical_bspline_field_3<>, typename Threshold = Constant_threshold>
 class Shell_certificate_3
 {
 public:

@@ -43,7 +43,7 @@ namespace Bspline_shells {
  * \tparam Field a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
  */
-template <typename Field = Uniform_bspline_field_3<>, typename Threshold = Constant_threshold>
+template <typename Field = Hierarchical_bspline_field_3<>, typename Threshold = Constant_threshold>
 class Shell_containment_3
 {
 public:

@@ -12,7 +12,6 @@
 #include <CGAL/Bspline_shell_3/Certificate/internal/Facet_estimator.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
 #include <CGAL/Bspline_shell_3/Mesh/fan_winding.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
@@ -43,7 +42,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Certificate
-/// which of the facets that it accepts a `Shell_facet_oracle_3` proves
+/// the accepted facets that a `Shell_facet_oracle_3` proves
 enum class Facet_proofs
 {
   ALL,
@@ -70,7 +69,7 @@ enum class Facet_proofs
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`, used for the facets at a
  *   vertex; all give the same verdicts
  */
-template <typename Field = Uniform_bspline_field_3<>, typename Threshold = Constant_threshold,
+template <typename Field = Hierarchical_bspline_field_3<>, typename Threshold = Constant_threshold,
           typename ConcurrencyTag = Sequential_tag>
 class Shell_facet_oracle_3
 {
@@ -370,7 +369,7 @@ extern template class Shell_facet_oracle_3<>;
 extern template class Shell_facet_oracle_3<Hierarchical_bspline_field_3<>,
                                            Spline_threshold<Hierarchical_bspline_field_3<> > >;
 #ifdef CGAL_LINKED_WITH_TBB
-extern template class Shell_facet_oracle_3<Uniform_bspline_field_3<>, Constant_threshold, Parallel_tag>;
+extern template class Shell_facet_oracle_3<Hierarchical_bspline_field_3<>, Constant_threshold, Parallel_tag>;
 extern template class Shell_facet_oracle_3<Hierarchical_bspline_field_3<>,
                                            Spline_threshold<Hierarchical_bspline_field_3<> >, Parallel_tag>;
 #endif

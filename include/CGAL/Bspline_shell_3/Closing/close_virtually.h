@@ -34,10 +34,10 @@ struct Virtual_closing
  *
  * Holes are triangulated without new vertices (`CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`) or, if
  * this fails, by a fan around one new vertex. Such a *cap* is kept if it causes no self-intersection, does not fold at
- * the hole's border, and leaves no thin wall or gap. A component with an uncapped hole becomes a slab: it gets a *back
- * sheet*, a reversed copy of the component that is moved behind it and extended beyond its border, and strips that
- * connect this sheet to the border. The distance of the back sheet is smaller where other parts of the mesh are close
- * behind, and is halved where the closed mesh would intersect itself.
+ * the hole's border, and leaves no thin wall or gap. A component with an uncapped hole becomes a slab. It gets a *back
+ * sheet*, which is a reversed copy of the component, moved behind it and extended beyond its border. Strips connect
+ * this sheet to the border. The distance of the back sheet is smaller where other parts of the mesh are close behind,
+ * and is halved where the closed mesh would intersect itself.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \param mesh an open triangle mesh

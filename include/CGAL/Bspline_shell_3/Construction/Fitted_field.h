@@ -87,9 +87,10 @@ public:
     budget.end_step(Refinement_budget::CELLS);
 
     m_problem.start(Shell_step::FIT);
-    const Solver_status solved = m_part ? solve_near_split_cells(*before, budget) : solve_all(budget);
+    m_solved = m_part ? solve_near_split_cells(*before, budget) : solve_all(budget);
     budget.end_step(Refinement_budget::SOLVER);
-    if(solved != Solver_status::SUCCESS || !m_x.allFinite()) return Refinement_status::SOLVER_FAILED;
+    if(m_solved == Solver_status::SUCCESS && !m_x.allFinite()) m_solved = Solver_status::NOT_FINITE;
+    if(m_solved != Solver_status::SUCCESS) return Refinement_status::SOLVER_FAILED;
     m_field->template set_coefficients<ConcurrencyTag>(m_x * width());
     return std::nullopt;
   }
@@ -113,6 +114,7 @@ public:
   const Clipped_mesh_3& clipped() const { return *m_clipped; } ///< the mesh, clipped to the cells
   std::size_t cells_at_mesh() const { return m_clipped->cells().size(); }
   const std::optional<Fitted_part>& part() const { return m_part; }     ///< the part that was fitted, in a partial fit
+  Solver_status solver_status() const { return m_solved; }              ///< the outcome of the last fit
   double width() const { return m_field->cells().lattice().spacing(); } ///< width of root cells
 
   /// \name Linear system
@@ -170,6 +172,7 @@ private:
   std::optional<Fitted_part> m_part;
   Matrix m_A;
   Vector m_b, m_x;
+  Solver_status m_solved = Solver_status::SUCCESS;
   std::vector<float> m_surface_factors; // by cell (`Fit_energy`); empty if all are 1
 };
 

@@ -55,9 +55,8 @@ struct Narrowing_limits
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief chooses the thresholds of a shell. They are narrowed, that is, moved toward zero, where it is undecided
- * whether the shell has a critical point, and where the shell reaches the boundary of the domain. The values of the
- * field on the mesh limit this.
+ * \brief chooses the thresholds of a shell. They are narrowed, that is, moved toward zero, where the shell may have a
+ * critical point, and where it reaches the boundary of the domain. The values of the field on the mesh limit this.
  *
  * Critical values in undecided boxes determine how far to narrow (`critical_values()`). Thin walls
  * contain many critical points, and covering a cell there may take more boxes than the cover allows. If the threshold

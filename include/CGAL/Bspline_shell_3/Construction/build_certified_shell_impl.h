@@ -107,6 +107,7 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
   }
   report.rounds = refinement.rounds();
   report.refinement = refined;
+  report.fit.status = refinement.solver_status();
   if(refined == Refinement_status::LIMIT_REACHED) report.limit = refinement.limit();
   if(refined == Refinement_status::DISTANCE_NOT_FINITE) return stop(Status::DISTANCE_NOT_FINITE);
   if(refined == Refinement_status::SOLVER_FAILED) return stop(Status::SOLVER_FAILED);

@@ -13,8 +13,8 @@
 #include <CGAL/Bspline_shell_3/Construction/build_uniform_shell.h>
 #include <CGAL/Bspline_shell_3/Construction/level_bounds.h>
 #include <CGAL/Bspline_shell_3/Construction/shell_component.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Fit/Any_signed_distance_3.h>
 #include <CGAL/Bspline_shell_3/Fit/Any_spd_solver.h>
 #include <CGAL/Bspline_shell_3/Fit/Conjugate_gradient_solver.h>
@@ -76,47 +76,21 @@ void widen(const Field& field, const std::vector<typename Field::Cell_index>& ce
   sort_unique(keys);
 }
 
-inline Cell_complex_3 cells_beyond(const Cell_complex_3& cells, const Cell_complex_3& known)
-{
-  std::vector<std::uint64_t> keys;
-  for(Cell_complex_3::Index c = 0; c < cells.number_of_cells(); ++c) {
-    const Lattice_3::Point& p = cells.lattice_point(c);
-    if(known.cell(p) == Cell_complex_3::npos) keys.push_back(Lattice_key::encode(p[0], p[1], p[2]));
-  }
-  return Cell_complex_3(cells.lattice(), keys);
-}
-
-// Returns the samples of cells, each copied from the complex that contains the cell.
-inline std::vector<double> merge_samples(const Cell_complex_3& cells, const Cell_complex_3& first,
-                                         const std::vector<double>& first_samples, const Cell_complex_3& second,
-                                         const std::vector<double>& second_samples)
-{
-  constexpr std::size_t n = Distance_samples::per_cell;
-  std::vector<double> samples(cells.number_of_cells() * n);
-  for(Cell_complex_3::Index c = 0; c < cells.number_of_cells(); ++c) {
-    const Cell_complex_3::Index old = first.cell(cells.lattice_point(c));
-    const double* from = old != Cell_complex_3::npos ? &first_samples[old * n]
-                                                     : &second_samples[second.cell(cells.lattice_point(c)) * n];
-    std::copy(from, from + n, &samples[c * n]);
-  }
-  return samples;
-}
-
-// Copies the coefficients of a field on fewer cells, and converts them to cell units.
+// Copies the coefficients of a field on fewer cells of the same size, and converts them to cell units.
 template <typename Field>
 void take_over_coefficients(const Field& from, const Field& to, Eigen::VectorXd& guess)
 {
-  const double width = to.cells().width();
+  const double width = to.cells().lattice().spacing();
   for(typename Field::Cell_index n = 0; n < to.number_of_coefficients(); ++n) {
-    const auto old = from.functions().index(to.functions().point(n));
+    const auto old = from.points(0).index(to.points(0).point(n));
     if(old != Field::npos) guess[n] = from.coefficients()[old] / width;
   }
 }
 
 // Returns the approximate peak memory of a shell in bytes, which is reached in the solver. Per cell: the samples,
 // Bernstein coefficients, and lookups. Per unknown: a column of the matrix with up to 172 entries of 12 bytes (twice
-// while a term is added to a copy), a share of the preconditioner's blocks, and the solver's vectors. Per piece: its
-// points and quadrature points.
+// while a term is added to a copy), blocks of the preconditioner, and the solver's vectors. Per piece: its points and
+// quadrature points.
 inline double estimated_bytes(double cells, double unknowns, double pieces, bool copies_matrix)
 {
   return cells * 680 + unknowns * (copies_matrix ? 6200 : 3900) + pieces * 500;
@@ -128,7 +102,7 @@ template <typename ConcurrencyTag>
 Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Uniform_shell_parameters& parameters,
                                       const std::optional<Any_signed_distance_3>& oracle, const Any_spd_solver& solver)
 {
-  typedef Uniform_bspline_field_3<> Field;
+  typedef Bspline_shell_3<>::Field Field;
   typedef Shell_status Status;
   constexpr int max_number_of_rings = 1000;
   constexpr double largest_relative_spacing = 1000;
@@ -179,16 +153,13 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
     const Clipped_mesh_3 clipped = clip_mesh_to_cells<ConcurrencyTag>(input, field.cells());
 
     construction.start(Shell_step::DISTANCE);
-    // After a widening, only new cells are sampled.
-    const Cell_complex_3 unsampled = narrower ? internal::cells_beyond(field.cells(), narrower->cells())
-                                              : field.cells();
     if(!oracle && !mesh_distance) mesh_distance.emplace(input);
-    std::vector<double> more_samples = sample_signed_distance<ConcurrencyTag>(
-      oracle ? *oracle : Any_signed_distance_3(*mesh_distance), unsampled);
-    if(!std::all_of(more_samples.begin(), more_samples.end(), [](double d) { return std::isfinite(d); }))
+    const Any_signed_distance_3 distance = oracle ? *oracle : Any_signed_distance_3(*mesh_distance);
+    // After a widening, only new cells are sampled.
+    if(narrower) update_signed_distance<ConcurrencyTag>(distance, narrower->cells(), field.cells(), samples);
+    else samples = sample_signed_distance<ConcurrencyTag>(distance, field.cells());
+    if(!std::all_of(samples.begin(), samples.end(), [](double d) { return std::isfinite(d); }))
       return stop(Status::DISTANCE_NOT_FINITE);
-    samples = narrower ? internal::merge_samples(field.cells(), narrower->cells(), samples, unsampled, more_samples)
-                       : std::move(more_samples);
 
     construction.start(Shell_step::FIT);
     {

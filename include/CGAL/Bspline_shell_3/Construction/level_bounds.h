@@ -62,7 +62,7 @@ struct Cell_with_pieces
 // at x = sum_i l_i v_i for each corner,
 //   f(x) >= min_i f(v_i) - sum_{i<j} l_i l_j q(v_i - v_j) / 2
 //        >= min_i f(v_i) - (n-1) / (4n) max(0, max_{i<j} q(v_i - v_j))
-// for n corners, where the quadratic form q is at least that of all second derivatives; likewise for -f.
+// for n corners. The quadratic form q is at least that of all second derivatives. The same holds for -f.
 class Corner_bounds
 {
 public:

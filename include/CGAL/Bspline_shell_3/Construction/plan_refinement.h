@@ -34,7 +34,7 @@ struct Round_findings
   std::vector<Threshold_obstacle> obstacles;
   Obstacle_kind kind = Obstacle_kind::FEW; ///< kind of the obstacles
   std::vector<Index> causing_cells;        ///< at narrow gaps: cells where |f| leaves no room for thresholds
-  std::vector<Index> similar;              ///< cells that are similar to causing_cells (`similar_cells()`)
+  std::vector<Index> similar;              ///< cells that are similar to causing cells (`similar_cells()`)
   std::vector<Index> two_sheets;           ///< cells where two components of the mesh share a component of the shell
 };
 
@@ -89,7 +89,7 @@ inline Refinement_plan plan_refinement(const Cell_hierarchy_3& cells, const Roun
     case Obstacle_kind::THICK_FIELD: mark(found.thick_at_first); break;
     case Obstacle_kind::NARROW_GAPS:
       mark(found.causing_cells);
-      if(marked.empty()) mark_widely(obstacles, all_axes); // causing_cells cannot be split further
+      if(marked.empty()) mark_widely(obstacles, all_axes); // causing cells cannot be split further
       plan.at_gaps = found.causing_cells;
       plan.similar = found.similar;
       plan.with_larger_weights = found.causing_cells;

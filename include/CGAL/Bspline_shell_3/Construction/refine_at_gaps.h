@@ -48,8 +48,8 @@ inline Bbox_3 inner_box(const Cell_hierarchy_3& cells, Cell_hierarchy_3::Index c
  *
  * \param marked leaves to split
  * \param rings layers of cells around them that are split as well
- * \param obstacles marked leaves that are split again, until the width of their parts is at most
- *   `Condition_tuning::cell_at_gap` times the gap, or `most_halvings` is reached
+ * \param obstacles marked leaves that are split again, up to `most_halvings` times, until the width of their parts is
+ *   at most `Condition_tuning::cell_at_gap` times the gap
  * \param most_halvings largest number of times that an obstacle is split; at most five
  * \param is_too_many whether a number of cells exceeds the limit, before which repeated splitting ends
  */

@@ -54,8 +54,8 @@ namespace Bspline_shells {
  *
  * A round consists of these steps:
  * - `Fitted_field` fits the field on the current cells.
- * - `Corrected_field` corrects the field where its slope across facets is too small, or where |f| exceeds half the
- *   thickness on the mesh (in *thick* cells), if few cells are affected.
+ * - `Corrected_field` corrects the field if few cells are affected: where its slope across facets is too small, or
+ *   where |f| exceeds half the thickness on the mesh (in *thick* cells).
  * - `Narrowed_thresholds` chooses thresholds between the values of f on the mesh and those at *obstacles*, such as
  *   possible critical points. If these leave no room at a few places, the field is corrected there again.
  * - If nothing fails, `Shell_certificate_3` examines the claims.
@@ -109,6 +109,7 @@ public:
   const std::vector<Refinement_round>& rounds() const { return m_budget.rounds(); }
   /// the limit that ended the refinement, if any
   const Refinement_limit& limit() const { return m_limit; }
+  Solver_status solver_status() const { return m_fitted.solver_status(); }
   std::shared_ptr<const Field> field() const { return m_fitted.field(); }
   /// the certificate of the last field; it refers to `field()`
   const std::optional<Certificate>& certificate() const { return m_certificate; }
@@ -187,8 +188,8 @@ private:
     return cells;
   }
 
-  // Chooses thresholds. If few obstacles remain, the field is corrected so that it increases there along a direction
-  // that is at less than 90 degrees to the normals of all facets nearby.
+  // Chooses thresholds. If few obstacles remain, the field is corrected. It then increases there along a direction at
+  // less than 90 degrees to the normals of all facets nearby.
   void choose_thresholds(Corrected& corrected, Round_findings& found)
   {
     m_examined.thresholds().begin(*field(), m_problem.thickness);

@@ -34,7 +34,7 @@ struct Shell_component
  *
  * \brief computes the shell's cells by a flood fill.
  *
- * The flood fill starts at the cells that the mesh intersects, and passes all faces on which the range of the Bernstein
+ * The flood fill starts at the cells that the mesh intersects. It passes all faces on which the range of the Bernstein
  * coefficients meets the interval between the thresholds. Because these ranges contain those of the field, cells
  * outside the cover are outside the shell, up to the rounding of thresholds.
  *

@@ -70,12 +70,12 @@ std::vector<double> wanted_slopes(const Input_mesh_3& input, double fraction)
  * \tparam ConcurrencyTag as for `wanted_slopes()`; unless it is `Sequential_tag`, functions are called concurrently
  * \param wanted the slope of a triangle in a cell (`wanted_slopes()`). If it is zero, no condition is added, because
  *   corrections cannot help at a singular vertex.
- * \param is_asked whether conditions are required in a cell
+ * \param needs_conditions whether a cell needs conditions
  * \param largest largest allowed \f$|f|\f$ on the mesh in a cell, in units of the width of root cells
  */
 template <typename ConcurrencyTag = Sequential_tag, typename Field, typename Slope, typename Predicate, typename Size>
 std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_mesh_3& clipped, const Slope& wanted,
-                                              const Predicate& is_asked, const Size& largest)
+                                              const Predicate& needs_conditions, const Size& largest)
 {
   const std::size_t few = condition_tuning.few_pieces, most = condition_tuning.max_pieces;
   constexpr std::size_t chunk = 1024;
@@ -100,7 +100,7 @@ std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_
       for(std::size_t n = first_of_cell(begin), next; n < end; n = next) {
         const std::uint32_t c = pieces[n].cell;
         for(next = n + 1; next < pieces.size() && pieces[next].cell == c; ++next) {}
-        if(!is_asked(c)) continue;
+        if(!needs_conditions(c)) continue;
         const typename Field::Cell cell = field.cell(c);
         const double size = largest(c);
         const std::size_t stride = (next - n + most - 1) / most;

@@ -29,18 +29,18 @@ namespace Bspline_shells {
  * both sides of a wall of width \f$g < h\f$, it resembles \f$(x^2 - g^2/4) / h\f$ across the wall, with the slope
  * \f$g/h\f$ on both sides. A quarter of this slope leaves room for variation along the wall.
  *
- * \param asked cells for which slopes are returned
+ * \param requested cells for which slopes are returned
  * \return the slope for each of these cells; infinite if no gap is narrower than the cell
  */
 template <typename ConcurrencyTag>
-std::vector<double> slopes_at_gaps(const Cell_hierarchy_3& cells, const std::vector<Cell_hierarchy_3::Index>& asked,
+std::vector<double> slopes_at_gaps(const Cell_hierarchy_3& cells, const std::vector<Cell_hierarchy_3::Index>& requested,
                                    const Local_gap_3& gap, const Clipped_mesh_3& clipped)
 {
   constexpr std::size_t chunk = 16;
-  std::vector<double> slopes(asked.size(), std::numeric_limits<double>::infinity());
-  internal::for_each_chunk<ConcurrencyTag>(asked.size(), chunk, [&](std::size_t begin, std::size_t end) {
+  std::vector<double> slopes(requested.size(), std::numeric_limits<double>::infinity());
+  internal::for_each_chunk<ConcurrencyTag>(requested.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for(std::size_t n = begin; n < end; ++n) {
-      const double width = cells.width(asked[n]), narrowest = gap_in_cell(gap, clipped, asked[n], width);
+      const double width = cells.width(requested[n]), narrowest = gap_in_cell(gap, clipped, requested[n], width);
       if(narrowest < width) slopes[n] = condition_tuning.slope_at_gap * narrowest / width;
     }
   });

@@ -35,11 +35,11 @@ struct Thickness_on_mesh
  * \brief compares thresholds with the requested thickness.
  *
  * \param clipped the mesh, clipped to the cells of the thresholds
- * \param asked the requested thickness in a cell, in the units of the coordinates
+ * \param requested the requested thickness in a cell, in the units of the coordinates
  */
 template <typename Threshold, typename Thickness>
 Thickness_on_mesh thickness_on_mesh(const Clipped_mesh_3& clipped, const Threshold& inner, const Threshold& outer,
-                                    const Thickness& asked)
+                                    const Thickness& requested)
 {
   constexpr double narrower = 0.99;
   Thickness_on_mesh result;
@@ -53,7 +53,7 @@ Thickness_on_mesh thickness_on_mesh(const Clipped_mesh_3& clipped, const Thresho
       Bspline_shells::difference(enclosed_value(outer.field().cell(c)), enclosed_value(inner.field().cell(c))).range();
     result.largest = (std::max)(result.largest, difference.max);
     area += in_cell;
-    if(difference.min < narrower * asked(c)) narrow_area += in_cell;
+    if(difference.min < narrower * requested(c)) narrow_area += in_cell;
   }
   result.narrowed_area = narrow_area / area;
   return result;

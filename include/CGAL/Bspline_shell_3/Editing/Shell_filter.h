@@ -43,10 +43,10 @@ struct Permissive_filter
  * *fan* of facets at each vertex winds around the gradient there once. A collapse that passes the filter of an oracle
  * with `Facet_proofs::ALL` preserves these properties:
  * - *Other fans* need no test. At a vertex of the link that is on only one of the two old stars, one neighbor moves.
- *   Before and after, the two facets at this neighbor together wind by less than a full turn, from the same vertex to
- *   the same vertex, and hence by the same angle. At the two vertices opposite to the edge, three facets become two.
- *   The angle of the fan can then only decrease, by full turns, and a fan of facets that all face along the gradient
- *   winds at least once.
+ *   Before and after, the two facets at this neighbor together wind from the same vertex to the same vertex. They wind
+ *   by less than a full turn, and hence by the same angle. At the two vertices opposite to the edge, three facets
+ *   become two. The angle of the fan can then only decrease, by full turns, and a fan of facets that all face along the
+ *   gradient winds at least once.
  * - *Components* need no test. Every facet that changes has a vertex of the link, which does not move. The facet
  *   therefore lies in the same component of the shell as this vertex.
  *

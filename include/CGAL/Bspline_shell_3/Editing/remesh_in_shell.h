@@ -7,72 +7,29 @@
 #define CGAL_BSPLINE_SHELL_3_EDITING_REMESH_IN_SHELL_H
 
 #include <CGAL/Bspline_shell_3/Editing/Edit_result.h>
-#include <CGAL/Bspline_shell_3/Editing/Edit_termination.h>
+#include <CGAL/Bspline_shell_3/Editing/Edit_status.h>
 #include <CGAL/Bspline_shell_3/Editing/Remeshing_report.h>
-#include <CGAL/Bspline_shell_3/Editing/internal/Guarded_mesh.h>
-#include <CGAL/Bspline_shell_3/Editing/internal/Remeshing_tuning.h>
-#include <CGAL/Bspline_shell_3/Editing/internal/collapse_short_edges.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Edge_constraints.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Edit_options.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Remeshing_options.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/edit_under_proof.h>
-#include <CGAL/Bspline_shell_3/Editing/internal/flip_edges.h>
-#include <CGAL/Bspline_shell_3/Editing/internal/relax_vertices.h>
-#include <CGAL/Bspline_shell_3/Editing/internal/split_long_edges.h>
-#include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
-#include <CGAL/Bspline_shell_3/Projection/Shell_projection_3.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/remesh.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/Kernel/global_functions.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <memory>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
-
-namespace internal {
-
-// Remeshes a `Guarded_mesh`. Edges are processed in an order that depends on lengths and, for equal lengths, on the
-// order of the mesh, but never on addresses.
-// \param project moves a point to the surface
-// \return the reason why edges may differ from the target length
-template <typename ConcurrencyTag, typename Guarded, typename Projection, typename Visitor>
-Edit_termination remesh(Guarded& guarded, unsigned int iterations, unsigned int relaxations, const Projection& project,
-                        Visitor& visitor)
-{
-  bool has_rejected = false; // whether the oracle rejected a split or a collapse in the last iteration
-  for(unsigned int i = 0; i < iterations && !guarded.has_ended(); ++i) {
-    if(!visitor.start_iteration(i)) guarded.end();
-    flip_to_larger_angles(guarded);
-    const std::size_t rejected_before = guarded.rejected();
-    split_long_edges(guarded);
-    collapse_short_edges(guarded);
-    has_rejected = guarded.rejected() > rejected_before;
-    flip_to_regular_valences(guarded);
-    for(unsigned int j = 0; j < relaxations; ++j) relax_vertices<ConcurrencyTag>(guarded, project);
-  }
-  flip_to_larger_angles(guarded);
-
-  const auto& mesh = guarded.mesh;
-  const auto is_about_right = [&](auto e) {
-    const double length = guarded.relative_length(halfedge(e, mesh));
-    return guarded.frozen.has_edge(e) || (length >= remeshing_tuning.shortest && length <= remeshing_tuning.longest);
-  };
-  if(std::all_of(edges(mesh).begin(), edges(mesh).end(), is_about_right)) return Edit_termination::TARGET;
-  if(guarded.has_ended()) return Edit_termination::VISITOR;
-  return has_rejected ? Edit_termination::SHELL : Edit_termination::ITERATIONS;
-}
-
-} // namespace internal
 
 /*!
  * \ingroup PkgBsplineShell3Editing
@@ -110,8 +67,8 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *
  * \param mesh a closed mesh in the shell, or a mesh with the border of `Bspline_shell_3::closing()`; often the mesh for
  *   which the shell was built. Unless it was edited, it is unchanged at the end. It may have been restored, in the
- *   cases and in the way that `simplify_in_shell()` describes, and after `INVALID_PARAMETER` if a length that was
- *   requested during the edit is invalid. Constrained edges that lead to a truncated tip end where the tip is cut off.
+ *   cases and in the way that `simplify_in_shell()` describes. It was also restored if a length requested during the
+ *   edit is invalid (`INVALID_PARAMETER`). Constrained edges that lead to a truncated tip end where the tip is cut off.
  * \param target_edge_length the length of edges, or a function that returns the length of edges near a point; in the
  *   units of the coordinates, positive and finite. There must be less than 2^30 facets. `Edit_report::end` is the
  *   reason why edges may have other lengths at the end.
@@ -202,36 +159,46 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
+  using CGAL::parameters::is_default_parameter;
 
   typedef typename GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
   static_assert(std::is_same<typename Geom_traits::FT, double>::value,
                 "The coordinates must be of type double: other types would be rounded.");
   typedef typename GetVertexPointMap<TriangleMesh, CGAL_NP_CLASS>::type Vertex_point_map;
   typedef typename boost::property_traits<Vertex_point_map>::value_type Point; // the mesh's
-  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
-  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-  typedef Bspline_shell_3<Field, Threshold> Shell;
-  typedef Edit_status Status;
+  typedef typename Field::Point_3 Point_3;                                     // the shell's
+  typedef internal::Remeshing_options<TriangleMesh, Point_3> Options;
 
   Vertex_point_map vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                           get_property_map(vertex_point, mesh));
-  auto edge_is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                                              Static_boolean_property_map<edge_descriptor, false>());
-  const auto vertex_is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
-                                                      Static_boolean_property_map<vertex_descriptor, false>());
-
   Remeshing_result<TriangleMesh> result;
-  const auto ended = [&](Status status) {
+  const auto ended = [&](Edit_status status) {
     result.status = status;
     return result;
   };
   result.facets_before = result.facets = faces(mesh).size();
-  const Status usable = internal::check_before_edits(mesh, vpm, shell);
-  if(usable != Status::SUCCESS) return ended(usable);
+  const Edit_status usable = internal::check_before_edits(mesh, vpm, shell);
+  if(usable != Edit_status::SUCCESS) return ended(usable);
+
+  Options options = internal::edit_options<ConcurrencyTag, Options>(mesh, vpm, shell, np, result);
+  if constexpr(!is_default_parameter<CGAL_NP_CLASS, internal_np::edge_is_constrained_t>::value)
+    static_assert(
+      internal::is_writable_map<std::decay_t<decltype(get_parameter(np, internal_np::edge_is_constrained))> >,
+      "The property map of constrained edges must be writable, because edges are split.");
+  if constexpr(!is_default_parameter<CGAL_NP_CLASS, internal_np::vertex_is_constrained_t>::value)
+    options.is_vertex_constrained = [map = get_parameter(np, internal_np::vertex_is_constrained)](auto v) {
+      return bool(get(map, v));
+    };
+  options.protects_constraints = choose_parameter(get_parameter(np, internal_np::protect_constraints),
+                                                  options.protects_constraints);
+  options.iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), options.iterations);
+  options.relaxations = choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps),
+                                         options.relaxations);
+  options.projects = choose_parameter(get_parameter(np, internal_np::do_project), options.projects);
 
   // An edge with an invalid target length is not changed, as it might be split forever; there is no result.
   double shortest = std::numeric_limits<double>::infinity();
-  const auto sizing = [&](const auto& p) -> double {
+  options.target_length = [&](const Point_3& p) {
     double length = 0;
     if constexpr(std::is_arithmetic<Sizing>::value) (void)p, length = double(target_edge_length);
     else length = target_edge_length(internal::converted<Point>(p));
@@ -240,7 +207,7 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
     shortest = (std::min)(shortest, length);
     return length;
   };
-  for(auto v : vertices(mesh)) sizing(get(vpm, v));
+  for(auto v : vertices(mesh)) options.target_length(internal::converted<Point_3>(get(vpm, v)));
   // Lengths in a wrong unit would require more facets than can be numbered or stored.
   constexpr double most_facets = double(1 << 30), area_of_equilateral = 0.433;
   // At the peak, with the certificate, a Surface_mesh takes 360 bytes for each facet, a Polyhedron_3 840; located
@@ -251,7 +218,7 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
     const auto h = halfedge(f, mesh);
     const Point &p = get(vpm, source(h, mesh)), &q = get(vpm, target(h, mesh)),
                 &r = get(vpm, target(next(h, mesh), mesh));
-    const double length = sizing(CGAL::centroid(p, q, r));
+    const double length = options.target_length(internal::converted<Point_3>(CGAL::centroid(p, q, r)));
     expected += std::sqrt(CGAL::squared_area(p, q, r)) / length / length / area_of_equilateral;
   }
   const double memory_limit = choose_parameter(get_parameter(np, parameter_tags::memory_limit), 4e9);
@@ -259,34 +226,15 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
   // scaled to the largest number of facets
   if(!(expected < most_facets))
     result.invalid_parameter.check("target_edge_length", shortest, { shortest * std::sqrt(expected / most_facets) });
-  if(result.invalid_parameter) return ended(Status::INVALID_PARAMETER);
+  if(result.invalid_parameter) return ended(Edit_status::INVALID_PARAMETER);
   if(!(bytes_per_facet * (double(result.facets_before) + expected) <= memory_limit))
-    return ended(Status::MEMORY_LIMIT_EXCEEDED);
+    return ended(Edit_status::MEMORY_LIMIT_EXCEEDED);
 
   auto&& visitor = internal::argument<Default_remeshing_visitor>(np, internal_np::visitor);
-  const bool do_project = choose_parameter(get_parameter(np, internal_np::do_project), true);
-  const bool protect = choose_parameter(get_parameter(np, internal_np::protect_constraints), false);
-  const unsigned int iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 3u);
-  const unsigned int relaxations = choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), 2u);
-
-  constexpr bool may_repeat = true;
-  return ended(internal::edit_under_proof<ConcurrencyTag>(
-    mesh, vpm, edge_is_constrained, shell, may_repeat, np, result,
-    [&](const auto& oracle, const auto& frozen, const auto& all) {
-      typedef Shell_projection_3<Shell, TriangleMesh> Projection;
-      const Projection projection(shell, std::make_shared<const typename Projection::Target>(mesh, vpm));
-      const auto project = [&](const auto& p) {
-        if(!do_project) return p;
-        const auto image = projection(p);
-        return image ? image.point : p;
-      };
-      internal::Guarded_mesh guarded(
-        mesh, vpm, oracle, sizing, frozen, edge_is_constrained, vertex_is_constrained, protect, all,
-        [&] { return !result.invalid_parameter && bool(visitor.go_on()); }, result);
-      result.end = internal::remesh<ConcurrencyTag>(guarded, iterations, relaxations, project, visitor);
-      result.images = guarded.images.all();
-      return result.invalid_parameter ? Status::INVALID_PARAMETER : Status::SUCCESS;
-    }));
+  options.start_iteration = [&](unsigned int n) { return bool(visitor.start_iteration(n)); };
+  options.go_on = [&] { return !result.invalid_parameter && bool(visitor.go_on()); };
+  const Edit_status status = internal::remesh<ConcurrencyTag>(mesh, vpm, shell, options, result);
+  return ended(status);
 }
 
 } // namespace Bspline_shells

@@ -8,24 +8,23 @@
 
 #include <CGAL/Bspline_shell_3/Editing/Collapse_visitor.h>
 #include <CGAL/Bspline_shell_3/Editing/Edit_result.h>
+#include <CGAL/Bspline_shell_3/Editing/Edit_status.h>
 #include <CGAL/Bspline_shell_3/Editing/Shell_filter.h>
 #include <CGAL/Bspline_shell_3/Editing/Simplification_report.h>
-#include <CGAL/Bspline_shell_3/Editing/internal/Collapse_rules.h>
-#include <CGAL/Bspline_shell_3/Editing/internal/collapse_policies.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Any_collapse_policies.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Edge_constraints.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Edit_options.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/collapse_edges.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/edit_under_proof.h>
 #include <CGAL/Bspline_shell_3/Editing/stop_predicates.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
-#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include <functional>
-#include <limits>
 #include <type_traits>
 
 namespace CGAL {
@@ -54,10 +53,10 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  * other mesh that is certified in the same shell, in particular the mesh for which a certified shell was built.
  *
  * Edges are collapsed by `CGAL::Surface_mesh_simplification::edge_collapse()` with `Shell_filter`, cheapest first. If
- * the policy's placement is rejected, other placements are tried in the order of their costs: the ends and the midpoint
- * of the edge, and the policy's placement and the midpoint, moved along the gradient to the mean value of the field at
- * the ends. A rejected edge is considered again when its neighborhood has changed. Edges of length zero are collapsed
- * first, which does not change the surface.
+ * the policy's placement is rejected, other placements are tried in the order of their costs. These are the ends and
+ * the midpoint of the edge. Two more are the policy's placement and the midpoint, moved along the gradient to the mean
+ * value of the field at the ends. A rejected edge is considered again when its neighborhood has changed. Edges of
+ * length zero are collapsed first, which does not change the surface.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`, used for proofs; all give
  *   the same result
@@ -154,10 +153,10 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *   immediately. The costs of the policy are initialized again for the repetition, and a map of constrained edges has
  *   its original values.
  *
- * \cgalHeading{Cost} For each facet at the new vertex, a collapse evaluates the field at a few points, or proves the
- *   facet with a bound for each cell that it passes through. The certificate takes as long as for any mesh in the
- *   shell; if it fails, the mesh may be simplified twice. `locate_vertices` builds a search tree for the facets of the
- *   result, and projects each vertex.
+ * \cgalHeading{Cost} For each facet at the new vertex, a collapse evaluates the field at a few points, or proves it
+ *   with a bound for each cell that it meets. The certificate takes as long as for any mesh in the shell; if it fails,
+ *   the mesh may be simplified twice. `locate_vertices` builds a search tree for the facets of the result, and projects
+ *   each vertex.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename TriangleMesh, typename Field,
           typename Threshold, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -165,7 +164,6 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
                                                       const Bspline_shell_3<Field, Threshold>& shell,
                                                       const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  namespace SMS = Surface_mesh_simplification;
   namespace tags = parameter_tags;
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -176,103 +174,56 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
   static_assert(std::is_same<typename Geom_traits::FT, double>::value,
                 "The coordinates must be of type double: other types would be rounded.");
   typedef typename GetVertexPointMap<TriangleMesh, CGAL_NP_CLASS>::type Vertex_point_map;
-  typedef Edit_status Status;
+  typedef internal::Collapse_options<TriangleMesh, Vertex_point_map, Geom_traits> Options;
+  typedef typename Options::Profile Profile;
 
   Vertex_point_map vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                           get_property_map(vertex_point, mesh));
-  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
-  typedef Static_boolean_property_map<edge_descriptor, false> No_edge;
-  typedef std::decay_t<decltype(choose_parameter(get_parameter(np, internal_np::edge_is_constrained), No_edge()))>
-    Constrained;
-  const Constrained constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained), No_edge());
-  const auto stop = choose_parameter<Never_stop_predicate>(get_parameter(np, tags::stop));
-  constexpr bool has_constraints = !is_default_parameter<CGAL_NP_CLASS, internal_np::edge_is_constrained_t>::value;
-  constexpr bool may_merge = has_constraints
-                             && !is_default_parameter<CGAL_NP_CLASS, internal_np::protect_constraints_t>::value;
-  constexpr bool may_freeze = !is_default_parameter<CGAL_NP_CLASS, tags::freeze_rejected_facets_t>::value;
-  typedef internal::Collapse_rules<TriangleMesh, Vertex_point_map, Constrained, may_merge> Rules;
-
   Simplification_result<TriangleMesh> result;
-  const auto ended = [&](Status status) {
-    result.status = status;
-    return result;
-  };
   result.facets_before = result.facets = faces(mesh).size();
-  const Status usable = internal::check_before_edits(mesh, vpm, shell);
-  if(usable != Status::SUCCESS) return ended(usable);
+  result.status = internal::check_before_edits(mesh, vpm, shell);
+  if(result.status != Edit_status::SUCCESS) return result;
 
+  Options options = internal::edit_options<ConcurrencyTag, Options>(mesh, vpm, shell, np, result);
+  constexpr bool has_constraints = !is_default_parameter<CGAL_NP_CLASS, internal_np::edge_is_constrained_t>::value;
+  if constexpr(has_constraints && !is_default_parameter<CGAL_NP_CLASS, internal_np::protect_constraints_t>::value) {
+    static_assert(
+      internal::is_writable_map<std::decay_t<decltype(get_parameter(np, internal_np::edge_is_constrained))> >,
+      "With protect_constraints, the property map of constrained edges must be writable.");
+    options.protects_constraints = get_parameter(np, internal_np::protect_constraints);
+  }
   auto&& visitor = internal::argument<Default_collapse_visitor>(np, internal_np::visitor);
+  internal::Collapse_visitor_of<Profile, std::remove_reference_t<decltype(visitor)> > any_visitor(visitor);
+  options.visitor = &any_visitor;
+  const auto stop = choose_parameter<Never_stop_predicate>(get_parameter(np, tags::stop));
+  options.stop = std::cref(stop);
+  // a copy of a filter that was passed by value
+  const auto& filter = [&np]() -> decltype(auto) {
+    if constexpr(is_default_parameter<CGAL_NP_CLASS, internal_np::filter_t>::value) return Permissive_filter();
+    else return get_parameter_reference(np, internal_np::filter);
+  }();
+  options.filter = std::cref(filter);
   // The rollback before a repetition must not be observable.
-  constexpr bool may_repeat = is_default_parameter<CGAL_NP_CLASS, internal_np::visitor_t>::value
-                              && is_default_parameter<CGAL_NP_CLASS, internal_np::filter_t>::value
-                              && (std::is_same<decltype(stop), const Never_stop_predicate>::value
-                                  || std::is_same<decltype(stop), const Facet_count_stop_predicate>::value);
-  return ended(internal::edit_under_proof<ConcurrencyTag>(
-    mesh, vpm, constrained, shell, may_repeat, np, result, [&](const auto& oracle, auto& frozen, const auto& all) {
-      typedef std::remove_cv_t<std::remove_reference_t<decltype(oracle)> > Oracle;
-      // a copy of a filter that was passed by value
-      const auto& base_filter = [&np]() -> decltype(auto) {
-        if constexpr(is_default_parameter<CGAL_NP_CLASS, internal_np::filter_t>::value) return Permissive_filter();
-        else return get_parameter_reference(np, internal_np::filter);
-      }();
-      typedef std::remove_reference_t<decltype(base_filter)> Base_filter;
-      typedef Shell_filter<Oracle, std::reference_wrapper<Base_filter> > Filter;
-      const Filter filter(oracle, std::cref(base_filter));
+  options.may_repeat = is_default_parameter<CGAL_NP_CLASS, internal_np::visitor_t>::value
+                       && is_default_parameter<CGAL_NP_CLASS, internal_np::filter_t>::value
+                       && (std::is_same<decltype(stop), const Never_stop_predicate>::value
+                           || std::is_same<decltype(stop), const Facet_count_stop_predicate>::value);
 
-      Rules rules(mesh, vpm, constrained, choose_parameter(get_parameter(np, internal_np::protect_constraints), true),
-                  frozen);
-      const auto kept = [&] {
-        if constexpr(has_constraints || may_freeze) return internal::Kept_edges_map<Rules, edge_descriptor>{ &rules };
-        else return SMS::No_constrained_edge_map<TriangleMesh>();
-      }();
-
-      internal::Collapse_state state;
-      state.closing_facets = frozen.number_of_closing_facets();
-      state.initial_edges = state.edges_without_closing(edges(mesh).size());
-      typedef std::remove_reference_t<decltype(visitor)> Visitor;
-      typedef Collapse_visitor<TriangleMesh, Visitor> History;
-      internal::Selecting_visitor<TriangleMesh, Visitor, Rules> history(visitor, mesh, rules, state);
-      const auto collapse = [&](const auto& cost, const auto& placement) {
-        typedef std::remove_cv_t<std::remove_reference_t<decltype(cost)> > Cost;
-        typedef std::remove_cv_t<std::remove_reference_t<decltype(placement)> > Placement;
-        typedef std::remove_cv_t<decltype(stop)> Stop;
-        const internal::Retrying_placement<Cost, Placement, Filter, Field, Rules> retrying(cost, placement, filter,
-                                                                                           shell.field(), rules, state);
-        static_cast<History&>(history).OnStarted(mesh);
-        // Placements that cost too much more than the policy's are deferred to later passes.
-        for(double allowance : { 1., 16., 256., std::numeric_limits<double>::infinity() }) {
-          state.allowance = allowance;
-          state.has_deferred = false;
-          SMS::edge_collapse(mesh, internal::Continued_stop_predicate<Stop>{ &stop, &state },
-                             CGAL::parameters::vertex_point_map(vpm)
-                               .edge_is_constrained_map(kept)
-                               .get_cost(internal::Continued_cost<Cost>{ &cost, &state })
-                               .get_placement(retrying)
-                               .filter(internal::Accepted_filter{ &state })
-                               .visitor(history));
-          if(state.has_stopped || !state.has_deferred) break;
-        }
-        static_cast<History&>(history).OnFinished(mesh);
-      };
-      constexpr bool has_cost = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_cost_policy_t>::value;
-      constexpr bool has_placement = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_placement_policy_t>::value;
-      static_assert(has_cost == has_placement,
-                    "Cost and placement belong together: pass both get_cost and get_placement, or neither.");
-      if constexpr(has_cost) {
-        collapse(get_parameter_reference(np, internal_np::get_cost_policy),
-                 get_parameter_reference(np, internal_np::get_placement_policy));
-      } else {
-        const SMS::GarlandHeckbert_plane_policies<TriangleMesh, Geom_traits> policies(mesh);
-        collapse(policies.get_cost(), policies.get_placement());
-      }
-      result.selected = history.history().selected;
-      result.collapsed = history.history().collapsed;
-      result.retried = state.retried;
-      result.end = history.end();
-      result.placements = filter.statistics();
-      for(auto v : all) result.images.push_back(history.history().image(v));
-      return Status::SUCCESS;
-    }));
+  constexpr bool has_cost = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_cost_policy_t>::value;
+  constexpr bool has_placement = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_placement_policy_t>::value;
+  static_assert(has_cost == has_placement,
+                "Cost and placement belong together: pass both get_cost and get_placement, or neither.");
+  if constexpr(has_cost) {
+    const auto& cost = get_parameter_reference(np, internal_np::get_cost_policy);
+    const auto& placement = get_parameter_reference(np, internal_np::get_placement_policy);
+    const internal::Collapse_policy_of<Profile, std::decay_t<decltype(cost)>, std::decay_t<decltype(placement)> >
+      policy(cost, placement);
+    options.policy = &policy;
+    result.status = internal::collapse_edges<ConcurrencyTag>(mesh, vpm, shell, options, result);
+  } else {
+    result.status = internal::collapse_edges<ConcurrencyTag>(mesh, vpm, shell, options, result);
+  }
+  return result;
 }
 
 } // namespace Bspline_shells

@@ -7,8 +7,9 @@
 #define CGAL_BSPLINE_SHELL_3_FIELD_HIERARCHICAL_BSPLINE_FIELD_3_H
 
 #include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
-#include <CGAL/Bspline_shell_3/Field/internal/Field_evaluation.h>
+#include <CGAL/Bspline_shell_3/Field/internal/to_bernstein.h>
 #include <CGAL/Bspline_shell_3/Field/internal/visit_parent_points.h>
+#include <CGAL/Bspline_shell_3/Spline/Tricubic_cell_3.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -23,6 +24,8 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -42,6 +45,10 @@ namespace Bspline_shells {
  * are free. On a leaf, the field is the tricubic with the 64 coefficients of its level. In the terms of the literature,
  * the basis is truncated, and the mesh is admissible of class two.
  *
+ * With cells of one size, all coefficients are free, and the field is \f$f(v) = \sum_g \lambda_g B_g(v)\f$ (Eq. 3.3 of
+ * \cgalCite{CubicBsplineShell2025}). The sum is over all lattice points \f$g\f$ whose function does not vanish on all
+ * cells.
+ *
  * The field is defined by its free coefficients, which are `double`s. Copies share the cells. Const member functions
  * may be called concurrently.
  *
@@ -51,12 +58,15 @@ namespace Bspline_shells {
  */
 template <typename GeomTraits = Exact_predicates_inexact_constructions_kernel>
 class Hierarchical_bspline_field_3
-  : public internal::Field_evaluation<Hierarchical_bspline_field_3<GeomTraits>, GeomTraits>
 {
-  typedef internal::Field_evaluation<Hierarchical_bspline_field_3, GeomTraits> Base;
+  static_assert(std::is_same<typename GeomTraits::FT, double>::value,
+                "GeomTraits must be a kernel with the number type double.");
 public:
-  typedef typename Base::Point_3 Point_3;
-  typedef typename Base::Cell Cell;
+  typedef GeomTraits Geom_traits;
+  typedef typename GeomTraits::FT FT;
+  typedef typename GeomTraits::Point_3 Point_3;
+  typedef typename GeomTraits::Vector_3 Vector_3;
+  typedef Tricubic_cell_3 Cell;
   typedef Cell_hierarchy_3::Index Cell_index;
   static constexpr Cell_index npos = Cell_hierarchy_3::npos;
 
@@ -107,6 +117,33 @@ public:
     return cells().visit_cells(box, visit);
   }
   const Cell_hierarchy_3& cells() const { return m_basis->cells; }
+  /// @}
+
+  /// \name Evaluation
+  /// Results are empty outside the domain.
+  /// @{
+  std::optional<FT> value(const Point_3& p) const
+  {
+    const Cell_index c = locate(p);
+    if(c == npos) return std::nullopt;
+    return cell(c).value(p);
+  }
+  std::optional<Vector_3> gradient(const Point_3& p) const
+  {
+    const Cell_index c = locate(p);
+    if(c == npos) return std::nullopt;
+    const Cell::First_order_jet jet = cell(c).first_order_jet(p);
+    return Vector_3(jet.gradient[0], jet.gradient[1], jet.gradient[2]);
+  }
+  std::optional<Eigen::Matrix3d> hessian(const Point_3& p) const
+  {
+    const Cell_index c = locate(p);
+    if(c == npos) return std::nullopt;
+    const auto& h = cell(c).second_order_jet(p).hessian;
+    Eigen::Matrix3d m;
+    m << h[0], h[3], h[4], h[3], h[1], h[5], h[4], h[5], h[2];
+    return m;
+  }
   /// @}
 
   /// \name B-spline Coefficients

@@ -17,6 +17,21 @@
 
 namespace CGAL {
 namespace Bspline_shells {
+namespace internal {
+
+// The type of the points with which a signed-distance oracle is called.
+template <typename Oracle, typename = void>
+struct Point_of_oracle
+{
+  typedef Exact_predicates_inexact_constructions_kernel::Point_3 type; // for example, if the oracle is a lambda
+};
+template <typename Oracle>
+struct Point_of_oracle<Oracle, std::void_t<typename Oracle::Point_3> >
+{
+  typedef typename Oracle::Point_3 type;
+};
+
+} // namespace internal
 
 /*!
  * \ingroup PkgBsplineShell3Fit
@@ -35,16 +50,22 @@ public:
   /// \pre `oracle` outlives this object
   template <typename Oracle>
   Any_signed_distance_3(const Oracle& oracle)
-    : m_at([&oracle](const Point_3& p) { return double(oracle(typename Oracle::Point_3(p.x(), p.y(), p.z()))); })
   {
+    typedef typename internal::Point_of_oracle<Oracle>::type Oracle_point;
+    constexpr bool is_callable = std::is_invocable_r<double, const Oracle&, const Oracle_point&>::value;
+    static_assert(is_callable, "A signed-distance oracle must have a const operator() that returns a number for a "
+                               "Point_3 of the oracle or, if the oracle does not define this type, for a Point_3 of "
+                               "CGAL::Exact_predicates_inexact_constructions_kernel.");
+    if constexpr(is_callable)
+      m_at = [&oracle](const Point_3& p) -> double { return oracle(Oracle_point(p.x(), p.y(), p.z())); };
     if constexpr(std::is_same<Oracle, Mesh_signed_distance_3>::value)
       m_along = [&oracle](const std::vector<Point_3>& points, double* distances) {
         Mesh_signed_distance_3::Hint hint;
         for(const Point_3& p : points) *distances++ = oracle.signed_distance(p, hint);
       };
-    else
+    else if constexpr(is_callable)
       m_along = [&oracle](const std::vector<Point_3>& points, double* distances) {
-        for(const Point_3& p : points) *distances++ = double(oracle(typename Oracle::Point_3(p.x(), p.y(), p.z())));
+        for(const Point_3& p : points) *distances++ = oracle(Oracle_point(p.x(), p.y(), p.z()));
       };
   }
   Any_signed_distance_3(const Any_signed_distance_3&) = default;

@@ -23,9 +23,9 @@ namespace Bspline_shells {
  *
  * \brief a type-erased reference to a model of `SPDSolver`, so that fits are compiled only once.
  *
- * Solutions are checked. If a solver returns `SUCCESS`, but its solution has a wrong size or a relative residual \f$|b
- * - Ax| / |b|\f$ of more than 1/10, the status is `Solver_status::WRONG_SOLUTION`. No useful tolerance is larger: with
- * a residual of 1/10, at most one digit of the right-hand side is reproduced. A check takes about as long as one
+ * Solutions are checked. The status is `Solver_status::WRONG_SOLUTION` if a solver returns `SUCCESS`, but its solution
+ * has a wrong size, or the relative residual \f$|b - Ax| / |b|\f$ exceeds 1/10. No useful tolerance is larger: with a
+ * residual of 1/10, at most one digit of the right-hand side is reproduced. A check takes about as long as one
  * iteration of conjugate gradients.
  *
  * \cgalModels `SPDSolver`

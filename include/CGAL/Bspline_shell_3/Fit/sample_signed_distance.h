@@ -31,8 +31,8 @@ struct Distance_samples
   static constexpr int per_cell = 8;
   /// returns the position of a sample in its cell; sample `s` is at 1/4 or 3/4 of axis `a` if bit `a` of `s` is 0 or 1
   static double position(int s, int axis) { return (s >> axis) & 1 ? 0.75 : 0.25; }
-  template <typename Point_3, typename Cells>
-  static Point_3 point(const Cells& cells, std::uint32_t c, int s)
+  template <typename Point_3>
+  static Point_3 point(const Cell_hierarchy_3& cells, std::uint32_t c, int s)
   {
     const std::array<double, 3> corner = cells.corner(c);
     const double width = cells.width(c);
@@ -47,11 +47,10 @@ struct Distance_samples
  * \brief returns the signed distance at the samples of the given cells, in the units of the coordinates:
  * `Distance_samples::per_cell` values per cell.
  *
- * \tparam Cells `Cell_complex_3` or `Cell_hierarchy_3`
  * \param oracle any model of `SignedDistanceOracle_3`
  */
-template <typename ConcurrencyTag, typename Cells>
-std::vector<double> sample_signed_distance(const Any_signed_distance_3& oracle, const Cells& cells,
+template <typename ConcurrencyTag>
+std::vector<double> sample_signed_distance(const Any_signed_distance_3& oracle, const Cell_hierarchy_3& cells,
                                            const std::vector<std::uint32_t>& of_cells)
 {
   constexpr std::size_t n = Distance_samples::per_cell, chunk = 64;
@@ -72,8 +71,8 @@ std::vector<double> sample_signed_distance(const Any_signed_distance_3& oracle, 
  *
  * \brief returns the signed distance at the samples of all cells.
  */
-template <typename ConcurrencyTag, typename Cells>
-std::vector<double> sample_signed_distance(const Any_signed_distance_3& oracle, const Cells& cells)
+template <typename ConcurrencyTag>
+std::vector<double> sample_signed_distance(const Any_signed_distance_3& oracle, const Cell_hierarchy_3& cells)
 {
   std::vector<std::uint32_t> all(cells.number_of_cells());
   std::iota(all.begin(), all.end(), std::uint32_t(0));

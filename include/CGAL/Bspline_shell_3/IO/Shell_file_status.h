@@ -21,7 +21,7 @@ enum class Shell_file_status
   CANNOT_WRITE,          ///< the file cannot be created or completed
   NOT_A_SHELL,           ///< the file is not a shell file, or there is no valid shell to write
   VERSION_NOT_SUPPORTED, ///< the file has another version of the format
-  OTHER_KIND,            ///< the file contains a shell with another type of field or thresholds
+  OTHER_KIND,            ///< the file contains a shell with another type of thresholds
   DAMAGED                ///< the file is truncated, altered, or inconsistent
 };
 
@@ -40,7 +40,7 @@ inline const char* message(Shell_file_status status)
     case Shell_file_status::VERSION_NOT_SUPPORTED:
       return "The file has another version of the format: write it again with this version of the package.";
     case Shell_file_status::OTHER_KIND:
-      return "The file contains a shell with another type of field or thresholds: read it into a shell of that type.";
+      return "The file contains a shell with another type of thresholds: read it into a shell of that type.";
     case Shell_file_status::DAMAGED: return "The file is truncated, altered or inconsistent: write or copy it again.";
   }
   return "";

@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_IO_READ_SHELL_H
 #define CGAL_BSPLINE_SHELL_3_IO_READ_SHELL_H
 
+#include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
 #include <CGAL/Bspline_shell_3/IO/Shell_file_status.h>
 #include <CGAL/Bspline_shell_3/IO/checksum.h>
 #include <CGAL/Bspline_shell_3/IO/internal/File_input.h>
@@ -24,7 +25,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -42,7 +42,7 @@ struct Shell_file_content
     Lattice_point point;
   };
 
-  Shell_kind kind;
+  bool has_spline_thresholds = false;
   double unit = 0;
   Level_range levels; // zero and the thickness if thresholds vary
   std::size_t triangles = 0, components = 0;
@@ -94,8 +94,8 @@ inline Shell_file_status read_binary_shell(File_input& in, Shell_file_content& c
   content.spacing = in.binary<double>();
   const std::uint64_t coefficients = in.binary<std::uint64_t>(), leaves = in.binary<std::uint64_t>(),
                       facets = in.binary<std::uint64_t>(), kind = in.binary<std::uint64_t>();
-  content.kind = { (kind & 1) != 0, (kind & 2) != 0 };
-  if(content.kind.number() != kind) return Shell_file_status::DAMAGED;
+  if(kind > (bit_of_field | bit_of_spline_thresholds)) return Shell_file_status::DAMAGED;
+  content.has_spline_thresholds = (kind & bit_of_spline_thresholds) != 0;
   for(std::uint64_t n = 0; n < leaves && !in.is_bad(); ++n) {
     Shell_file_content::Position leaf;
     leaf.level = in.binary<std::uint8_t>();
@@ -104,7 +104,7 @@ inline Shell_file_status read_binary_shell(File_input& in, Shell_file_content& c
     content.marks.push_back(in.binary<char>());
     if(content.marks.back() != 0 && content.marks.back() != 1) return Shell_file_status::DAMAGED;
   }
-  content.splines.resize(content.kind.has_spline_thresholds ? 3 : 1);
+  content.splines.resize(content.has_spline_thresholds ? 3 : 1);
   for(std::vector<double>& spline : content.splines)
     for(std::uint64_t n = 0; n < coefficients && !in.is_bad(); ++n) spline.push_back(in.binary<double>());
   for(std::uint64_t n = 0; n < facets && !in.is_bad(); ++n) {
@@ -150,8 +150,8 @@ inline Shell_file_status read_ASCII_shell(File_input& in, Shell_file_content& co
   const Shell_file_status damaged = Shell_file_status::DAMAGED;
   if(!Words(in.line()).word("unit").number(content.unit).are_complete()) return damaged;
   const std::string_view thresholds = in.line();
-  content.kind.has_spline_thresholds = Words(thresholds).word("thickness").number(content.levels.max).are_complete();
-  if(content.kind.has_spline_thresholds) content.levels.min = 0;
+  content.has_spline_thresholds = Words(thresholds).word("thickness").number(content.levels.max).are_complete();
+  if(content.has_spline_thresholds) content.levels.min = 0;
   else if(!Words(thresholds).word("levels").number(content.levels.min).number(content.levels.max).are_complete())
     return damaged;
   if(!Words(in.line())
@@ -162,10 +162,10 @@ inline Shell_file_status read_ASCII_shell(File_input& in, Shell_file_content& co
         .are_complete())
     return damaged;
   const std::string_view field = in.line();
-  content.kind.is_hierarchical = Words(field).word("field").word("hierarchical").are_as_expected();
+  const bool is_older = Words(field).word("field").word(older_kind_of_field).are_as_expected();
   if(!Words(field)
         .word("field")
-        .word(content.kind.field_name())
+        .word(is_older ? older_kind_of_field : kind_of_field)
         .number(content.origin[0])
         .number(content.origin[1])
         .number(content.origin[2])
@@ -181,7 +181,7 @@ inline Shell_file_status read_ASCII_shell(File_input& in, Shell_file_content& co
   };
   std::uint64_t count = 0;
   if(!Words(in.line()).word("functions").number(count).are_complete()) return damaged;
-  content.splines.resize(content.kind.has_spline_thresholds ? 3 : 1);
+  content.splines.resize(content.has_spline_thresholds ? 3 : 1);
   for(; count > 0; --count) {
     Words words(in.line());
     content.functions.push_back(position(words));
@@ -256,15 +256,9 @@ std::optional<Field> make_field(const Shell_file_content& content)
   // Whether the lattice is exact for these cells is tested below.
   const Lattice_3 lattice = Lattice_3::from_origin(content.origin, content.spacing, {}, {});
   if(!lattice.is_exact()) return std::nullopt;
-  if constexpr(std::is_constructible<Field, Cell_hierarchy_3>::value) {
-    std::optional<Cell_hierarchy_3> cells = Cell_hierarchy_3::from_leaves(lattice, keys);
-    if(!cells || !cells->is_exact()) return std::nullopt;
-    return Field(std::move(*cells));
-  } else {
-    Cell_complex_3 cells(lattice, keys.front());
-    if(keys.size() > 1 || !cells.is_exact()) return std::nullopt;
-    return Field(std::move(cells));
-  }
+  std::optional<Cell_hierarchy_3> cells = Cell_hierarchy_3::from_leaves(lattice, keys);
+  if(!cells || !cells->is_exact()) return std::nullopt;
+  return Field(std::move(*cells));
 }
 
 // Makes the shell that the content describes; returns false if the content is inconsistent.
@@ -337,7 +331,7 @@ bool make_shell(Shell_file_content& content, Shell& shell)
  * certificate uses only those that it proves (`Bspline_shell_3::path_candidates()`). The unit, the thickness, the
  * number of triangles and of components, and the facet ranges are not checked; no proof uses them.
  *
- * \tparam Field `Uniform_bspline_field_3` or `Hierarchical_bspline_field_3`
+ * \tparam Field a `Hierarchical_bspline_field_3`
  * \tparam Threshold `Constant_threshold` or `Spline_threshold<Field>`
  *
  * \param in a stream opened with `std::ios::binary`, which must end where the shell ends. Its locale and format flags
@@ -355,8 +349,7 @@ Shell_file_status read_shell(std::istream& in, Bspline_shell_3<Field, Threshold>
   if(input.starts_with(internal::binary_shell_magic)) status = internal::read_binary_shell(input, content);
   else if(input.starts_with(internal::ASCII_shell_magic)) status = internal::read_ASCII_shell(input, content);
   if(status != Shell_file_status::SUCCESS) return status;
-  if(!(content.kind == internal::Shell_kind::of<Bspline_shell_3<Field, Threshold> >()))
-    return Shell_file_status::OTHER_KIND;
+  if(content.has_spline_thresholds == Threshold::is_constant) return Shell_file_status::OTHER_KIND;
   return internal::make_shell(content, shell) ? status : Shell_file_status::DAMAGED;
 }
 

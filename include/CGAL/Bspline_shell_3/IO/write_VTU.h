@@ -286,7 +286,7 @@ Shell_file_status write_VTU(std::ostream& out, const VTU_splines<Field>& splines
  * To view the file in ParaView 5.10 (VTK 9.1) or later, increase the representation's "Nonlinear Subdivision Level" or
  * apply the filter "Tessellate".
  *
- * \tparam Field a model of `BsplineField_3`, with a `Cell_complex_3` or a `Cell_hierarchy_3`
+ * \tparam Field a model of `BsplineField_3`
  * \param out a stream opened with `std::ios::binary`; its locale is ignored
  * \param field the field
  * \param format `BINARY` appends raw binary data to the XML text; text files are twice as long

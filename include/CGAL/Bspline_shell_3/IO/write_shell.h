@@ -34,7 +34,6 @@ namespace internal {
 template <typename Shell>
 void write_ASCII_shell(File_output& out, const Shell& shell)
 {
-  constexpr Shell_kind kind = Shell_kind::of<Shell>();
   const auto& field = shell.field();
   const auto& cells = field.cells();
   const auto word = [&out](auto x) {
@@ -49,7 +48,7 @@ void write_ASCII_shell(File_output& out, const Shell& shell)
   word(shell_file_version);
   out.text(" ascii\nunit");
   word(shell.report().unit);
-  if(kind.has_spline_thresholds) out.text("\nthickness");
+  if(!Shell::Threshold::is_constant) out.text("\nthickness");
   else {
     out.text("\nlevels");
     word(levels(shell).min);
@@ -60,7 +59,7 @@ void write_ASCII_shell(File_output& out, const Shell& shell)
   out.text(" components");
   word(shell.report().components);
   out.text("\nfield ");
-  out.text(kind.field_name());
+  out.text(kind_of_field);
   for(double x : cells.lattice().origin()) word(x);
   word(cells.lattice().spacing());
 
@@ -148,7 +147,7 @@ void write_binary_shell(File_output& out, const Shell& shell)
   count(field.number_of_coefficients());
   count(field.number_of_cells());
   count(shell.facet_ranges().size());
-  out.binary(Shell_kind::of<Shell>().number());
+  out.binary(bit_of_field | (Shell::Threshold::is_constant ? 0 : bit_of_spline_thresholds));
   for(typename Shell::Field::Cell_index c = 0; c < field.number_of_cells(); ++c) {
     out.binary(std::uint8_t(cells.level(c)));
     for(int i : cells.lattice_point(c)) out.binary(std::int32_t(i));
@@ -192,15 +191,14 @@ void write_binary_shell(File_output& out, const Shell& shell)
  * Of the report, only the unit, the number of triangles and of components, and the thickness are written. The
  * certificate is not written; `certify()` proves it again for the shell that was read.
  *
- * \tparam Field `Uniform_bspline_field_3` or `Hierarchical_bspline_field_3`
+ * \tparam Field a `Hierarchical_bspline_field_3`
  * \tparam Threshold `Constant_threshold` or `Spline_threshold<Field>`
  *
  * \param out a stream opened with `std::ios::binary`; its locale is ignored
  * \param shell the shell
  * \param format binary files are shorter than text files and are written faster
- * \return `NOT_A_SHELL` if there is no shell, or if it has numbers that are not finite or corners that are not exact,
- *   in which case nothing is written. Shells of `bspline_shell_3()` and `certified_bspline_shell_3()` can always be
- *   written.
+ * \return `NOT_A_SHELL` if there is no shell, or if it has numbers that are not finite or corners that are not exact.
+ *   Nothing is written then. Shells of `bspline_shell_3()` and `certified_bspline_shell_3()` can always be written.
  * \cgalHeading{Cost} Linear in the size of the file.
  */
 template <typename Field, typename Threshold>

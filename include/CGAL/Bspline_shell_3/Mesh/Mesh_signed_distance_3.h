@@ -24,9 +24,9 @@ namespace Bspline_shells {
  *
  * The distance is computed in `double`s with an AABB tree. The sign at a single point comes from
  * `CGAL::Side_of_triangle_mesh`, whose predicates are exact. For sequences of nearby points, `signed_distance()` is
- * faster: the side is determined by the normal of the facet, edge, or vertex on which the closest point lies, weighted
- * by angles (*Signed distance computation using the angle weighted pseudonormal*, J. A. Baerentzen and H. Aanaes,
- * 2005). Const member functions may be called concurrently.
+ * faster. It determines the side by the normal of the facet, edge, or vertex on which the closest point lies. Normals
+ * are weighted by angles (*Signed distance computation using the angle weighted pseudonormal*, J. A. Baerentzen and H.
+ * Aanaes, 2005). Const member functions may be called concurrently.
  *
  * \cgalModels `SignedDistanceOracle_3`
  */

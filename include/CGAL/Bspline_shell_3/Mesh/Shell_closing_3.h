@@ -35,8 +35,8 @@ namespace Bspline_shells {
  *
  * The shell of an open mesh is built for the closed mesh, and stores the closing. Every mesh with the same border, bit
  * for bit, can be closed by the same triangles. If two such closed meshes are certified in the shell, the integral
- * curves map the open meshes one-to-one onto each other, because a curve that meets a triangle of the closing meets
- * both meshes there. The border is mapped to itself.
+ * curves map the open meshes one-to-one onto each other: a curve that meets a triangle of the closing meets both closed
+ * meshes there. The border is mapped to itself.
  *
  * Border points are identified by their coordinates, because a closed and embedded mesh has no two vertices at the same
  * position.

@@ -6,7 +6,6 @@
 #ifndef CGAL_BSPLINE_SHELL_3_MESH_CLIP_MESH_TO_CELLS_H
 #define CGAL_BSPLINE_SHELL_3_MESH_CLIP_MESH_TO_CELLS_H
 
-#include <CGAL/Bspline_shell_3/Cells/Cell_complex_3.h>
 #include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
@@ -156,13 +155,6 @@ public:
   explicit Leaf_cutter(const Polygon_cutter& cutter) : m_cutter(cutter) {}
 
   template <typename Visitor>
-  void cut(const Cell_complex_3& cells, int, const Lattice_3::Point& p, const Polygon_cutter::Polygon& polygon,
-           const Visitor& visit)
-  {
-    visit(cells.cell(p), polygon);
-  }
-
-  template <typename Visitor>
   void cut(const Cell_hierarchy_3& cells, int level, const Lattice_3::Point& p, const Polygon_cutter::Polygon& polygon,
            const Visitor& visit)
   {
@@ -306,8 +298,8 @@ public:
   }
 
 private:
-  template <typename ConcurrencyTag, typename InputMesh, typename Cells>
-  friend Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cells& cells);
+  template <typename ConcurrencyTag, typename InputMesh>
+  friend Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cell_hierarchy_3& cells);
 
   std::vector<Piece> m_pieces;
   std::vector<std::uint32_t> m_corners; // indices of the points of all pieces
@@ -415,12 +407,11 @@ Cells_near_mesh cells_near_mesh(const InputMesh& input, const Lattice_3& lattice
  * cuts every triangle of `input` by the leaf cells. Pieces are sorted by cell and then by facet, and do not depend on
  * the number of threads. A facet that is not cut takes about 70 bytes.
  *
- * \tparam Cells `Cell_complex_3` or `Cell_hierarchy_3`
  * \pre `cells` contain the mesh (`cells_entered_by_mesh()`)
  * \cgalHeading{Cost} Linear in the number of pieces.
  */
-template <typename ConcurrencyTag, typename InputMesh, typename Cells>
-Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cells& cells)
+template <typename ConcurrencyTag, typename InputMesh>
+Clipped_mesh_3 clip_mesh_to_cells(const InputMesh& input, const Cell_hierarchy_3& cells)
 {
   typedef Clipped_mesh_3::Point Point;
   typedef Clipped_mesh_3::Piece Piece;

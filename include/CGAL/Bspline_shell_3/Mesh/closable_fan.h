@@ -18,8 +18,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Mesh
  *
- * \brief returns whether the open fan of facets at a border vertex can be completed by further facets so that all
- * facets face a common direction and wind around the vertex once.
+ * \brief returns whether further facets can complete the open fan at a border vertex, so that all facets face a common
+ * direction and wind around the vertex once.
  *
  * This is the case if and only if there is a \f$g\f$ such that \f$\det(g, e_i, e_{i+1}) > 0\f$ for the directions
  * \f$e_i\f$ to the other vertices, and the fan turns by less than \f$2 \pi\f$ about \f$g\f$. A ramp that spirals

@@ -91,8 +91,8 @@ inline Flow_differential orthogonal_differential(const std::array<double, 3>& no
  *
  * \brief moves points of a shell along the integral curves of its field to a given value of the field.
  *
- * Curves are traced by an embedded Runge-Kutta method of order five (Boost.Odeint) for \f$dc/ds = \nabla f / |\nabla
- * f|^2\f$, so that \f$s\f$ is the value of the field. Const member functions may be called concurrently.
+ * An embedded Runge-Kutta method of order five (Boost.Odeint) traces the curves. It solves \f$dc/ds = \nabla f /
+ * |\nabla f|^2\f$, so that \f$s\f$ is the value of the field. Const member functions may be called concurrently.
  *
  * \tparam Shell a `CGAL::Bspline_shell_3`
  */

@@ -41,10 +41,10 @@ namespace Bspline_shells {
  *
  * If the two meshes are certified in the same certified shell (`Shell_certificate_3`), the map is one-to-one.
  * Certificates are not required, but the constructor compares the components of the meshes:
- * - If the shell is certified, and each mesh is closed or is closed by `Bspline_shell_3::closing()`, each mesh must
- *   have a vertex in each component of the shell, or be crossed by the paths through this component. Otherwise, the
- *   status is `COMPONENTS_DIFFER`, and no points are mapped; if all paths through the component are degenerate, it is
- *   `COMPONENTS_UNKNOWN`.
+ * - Suppose that the shell is certified, and that each mesh is closed or is closed by `Bspline_shell_3::closing()`.
+ *   Each mesh must have a vertex in each component of the shell, or be crossed by the paths through this component.
+ *   Otherwise, the status is `COMPONENTS_DIFFER`, and no points are mapped; if all paths through the component are
+ *   degenerate, it is `COMPONENTS_UNKNOWN`.
  * - For other shells and meshes, segments through the shell are constructed at the largest facets of each component of
  *   the two meshes. If each component is crossed by such a segment that also crosses the other mesh, the status is
  *   `SUCCESS`; otherwise, it is `COMPONENTS_UNKNOWN`. Points are mapped in both cases.
@@ -239,8 +239,8 @@ private:
     return target.traced_facets().is_closed() || has_border_of_closing(target);
   }
 
-  // Returns `COMPONENTS_DIFFER` if a component of the shell contains no part of a mesh, `COMPONENTS_UNKNOWN` if all
-  // paths through it are degenerate and no vertex is known to be in it, and otherwise `SUCCESS`.
+  // Returns `COMPONENTS_DIFFER` if a component of the shell contains no part of a mesh. Returns `COMPONENTS_UNKNOWN` if
+  // all paths through it are degenerate and no vertex is known to be in it, and otherwise `SUCCESS`.
   // \pre the shell is certified, and `is_closed()` holds
   template <typename Target>
   Flow_status find_missed_component(const Target& target) const

@@ -6,8 +6,8 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SHELL_BSPLINE_SHELL_3_H
 #define CGAL_BSPLINE_SHELL_3_SHELL_BSPLINE_SHELL_3_H
 
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
-#include <CGAL/Bspline_shell_3/Field/Uniform_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Cover_box.h>
@@ -42,7 +42,7 @@ class Second_order_bounds_3;
  * \tparam Field_ a model of `BsplineField_3`
  * \tparam Threshold_ a model of `ShellThreshold`
  */
-template <typename Field_ = Bspline_shells::Uniform_bspline_field_3<>,
+template <typename Field_ = Bspline_shells::Hierarchical_bspline_field_3<>,
           typename Threshold_ = Bspline_shells::Constant_threshold>
 class Bspline_shell_3
 {
@@ -113,6 +113,8 @@ public:
   /// returns the outcome in one or two sentences: why there is no shell, or whether it is certified
   std::string message() const
   {
+    if(status() == Shell_status::SOLVER_FAILED && m_report.fit.status != Bspline_shells::Solver_status::SUCCESS)
+      return Bspline_shells::message(m_report.fit.status);
     if(!*this) return Bspline_shells::message(status(), m_report.invalid_parameter);
     typedef Bspline_shells::Refinement_status Refinement_status;
     const Refinement_status refinement = m_report.refinement;
@@ -123,8 +125,8 @@ public:
     return refinement == Refinement_status::LIMIT_REACHED
              ? "The shell contains the mesh, but is not certified: a limit of memory, effort or rounds was reached. "
                "The report lists this limit and the obstacles."
-             : "The shell contains the mesh, but is not certified: smaller cells would not help. The report lists the "
-               "obstacles.";
+             : "The shell contains the mesh, but is not certified: smaller cells are not expected to help. The report "
+               "lists the obstacles.";
   }
   /// returns a flag for each cell of the field: whether the shell may intersect it (`Bspline_shells::Shell_component`)
   const std::vector<char>& shell_cells() const { return m_cells; }

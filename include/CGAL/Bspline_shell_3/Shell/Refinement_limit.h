@@ -56,7 +56,7 @@ inline std::string message(const Refinement_limit& limit)
         << " MB, which exceeds the memory limit: raise it (memory_limit).";
   else if(limit.resource == Refinement_resource::EFFORT)
     out << ", and all rounds together would exceed the effort limit: raise it (effort_limit).";
-  else out << " and more unknowns than can be numbered: request a thicker shell.";
+  else out << " and more unknowns than can be numbered: see the obstacles in the report.";
   return out.str();
 }
 

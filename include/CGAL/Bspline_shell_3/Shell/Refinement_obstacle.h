@@ -6,6 +6,8 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SHELL_REFINEMENT_OBSTACLE_H
 #define CGAL_BSPLINE_SHELL_3_SHELL_REFINEMENT_OBSTACLE_H
 
+#include <CGAL/Bspline_shell_3/Shell/Refinement_round.h>
+
 #include <array>
 #include <cmath>
 #include <iomanip>
@@ -33,8 +35,9 @@ struct Refinement_obstacle
 /// \ingroup PkgBsplineShell3Shell
 /// \param unit length to which the percentages of the sentence refer: the longest side of the mesh's bounding box
 ///   (`Shell_report::unit`)
-/// \return a sentence that describes the obstacle
-inline std::string message(const Refinement_obstacle& obstacle, double unit)
+/// \param refinement the reason why refinement ended (`Shell_report::refinement`)
+/// \return a sentence that describes the obstacle and, if a wall or gap is narrow, a remedy to try
+inline std::string message(const Refinement_obstacle& obstacle, double unit, Refinement_status refinement)
 {
   constexpr double cells_across = 2;
   std::ostringstream out;
@@ -50,8 +53,11 @@ inline std::string message(const Refinement_obstacle& obstacle, double unit)
     out << " is " << percent(obstacle.gap) << " of the bounding box " << (obstacle.is_wall ? "thick" : "wide")
         << ", and cells are " << percent(obstacle.cell_width) << " wide";
   else out << ", where cells are " << percent(obstacle.cell_width) << " of the bounding box wide";
-  if(is_at_gap && cells_across * obstacle.cell_width > obstacle.gap)
-    out << "; cells of " << percent(obstacle.gap / cells_across) << " may be needed";
+  if(is_at_gap && cells_across * obstacle.cell_width > obstacle.gap) {
+    if(refinement == Refinement_status::LIMIT_REACHED)
+      out << "; cells of " << percent(obstacle.gap / cells_across) << " may be needed";
+    else out << ": remove it if it is an error of the mesh, or try a smaller thickness there (sizing)";
+  }
   out << ".";
   return out.str();
 }

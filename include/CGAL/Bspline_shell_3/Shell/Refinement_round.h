@@ -35,10 +35,11 @@ inline const char* message(Refinement_status status)
     case Refinement_status::NOT_REFINED: return "The cells were not refined.";
     case Refinement_status::CERTIFIED: return "All claims are proved, and the shell is as thin as requested.";
     case Refinement_status::NO_PROGRESS:
-      return "Smaller cells cannot help to prove the remaining claims: see the witnesses of the certificate.";
+      return "Smaller cells are not expected to help to prove the remaining claims: see the obstacles, and the "
+             "witnesses of the certificate.";
     case Refinement_status::LIMIT_REACHED:
       return "A limit of memory, effort or rounds was reached before all claims were proved for a shell as thin as "
-             "requested: raise the limit (memory_limit, effort_limit), or request a thicker shell.";
+             "requested: raise the limit (memory_limit, effort_limit), or see the obstacles in the report.";
     case Refinement_status::DISTANCE_NOT_FINITE:
       return "The signed-distance oracle returned an infinite or NaN value: return a finite distance at every point.";
     case Refinement_status::SOLVER_FAILED:

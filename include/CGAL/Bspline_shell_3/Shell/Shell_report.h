@@ -44,8 +44,8 @@ struct Shell_report
   std::size_t surface_cells = 0; ///< number of cells that the mesh intersects
   std::size_t cells = 0;
   std::size_t unknowns = 0;
-  int widenings = 0; ///< number of times that cells were added because the shell reached their boundary
-  Fit_report fit;
+  int widenings = 0;        ///< number of times that cells were added because the shell reached their boundary
+  Fit_report fit;           ///< the fit on equal cells; for refined cells, only its status
   Level_range edges;        ///< extrema of the field on the edges of the clipped mesh, not rounded
   Level_range facets_bound; ///< bounds of the field on the facets, not rounded
   Refinement_status refinement = Refinement_status::NOT_REFINED; ///< the reason why refinement ended

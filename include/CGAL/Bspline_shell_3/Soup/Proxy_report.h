@@ -18,11 +18,12 @@ namespace Bspline_shells {
  */
 struct Proxy_report
 {
-  double alpha = 0;                   ///< alpha of the wrap, in the units of the coordinates
-  double offset = 0;                  ///< distance of its vertices from the soup, in the units of the coordinates
-  std::size_t wraps = 0;              ///< number of wraps, each coarser than the last, until one had no singular vertex
-  double wrap_seconds = 0;            ///< time for all wraps, in seconds
-  bool is_thicker_than_asked = false; ///< whether the shell exceeds the thickness parameter in order to reach the soup
+  double alpha = 0;        ///< alpha of the wrap, in the units of the coordinates
+  double offset = 0;       ///< distance of its vertices from the soup, in the units of the coordinates
+  std::size_t wraps = 0;   ///< number of wraps, each coarser than the last, until one had no singular vertex
+  double wrap_seconds = 0; ///< time for all wraps, in seconds
+  /// whether the shell exceeds the thickness parameter in order to reach the soup
+  bool exceeds_requested_thickness = false;
 };
 
 } // namespace Bspline_shells

@@ -24,8 +24,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief a polygon soup, its proxy (a closed mesh around it without self-intersections), and the shell of the proxy,
- * with which attributes are transferred between the soup and the proxy.
+ * \brief a polygon soup, its proxy (a closed mesh around it without self-intersections), and the shell of the proxy.
+ * Attributes are transferred between the soup and the proxy.
  *
  * Proxies are made by `certified_soup_proxy_3()`. Maps refer to this object, which must outlive them and must not be
  * moved.
@@ -60,9 +60,9 @@ public:
   std::string message() const
   {
     if(!*this) return Bspline_shells::message(m_status, m_invalid_parameter);
-    return is_certified() && m_report.is_thicker_than_asked ? "All claims are proved for the shell of the proxy, which "
-                                                              "is thicker than requested to reach the polygons."
-                                                            : m_shell.message();
+    if(is_certified() && m_report.exceeds_requested_thickness)
+      return "All claims are proved for the shell of the proxy, which is thicker than requested to reach the polygons.";
+    return m_shell.message();
   }
 
   const Soup_mesh_3& soup() const { return m_soup; }

@@ -174,7 +174,7 @@ inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const
       for(std::size_t n = 0; n < r.obstacles.size(); ++n) {
         const Refinement_obstacle& o = r.obstacles[n];
         out << (n == 0 ? "\n    " : ",\n    ");
-        internal::JSON_object(out, false)("point", o.point)("message", message(o, r.unit));
+        internal::JSON_object(out, false)("point", o.point)("message", message(o, r.unit, r.refinement));
       }
       out << "]";
     }

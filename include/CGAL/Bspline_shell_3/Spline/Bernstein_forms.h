@@ -88,8 +88,8 @@ inline std::array<NT, 4> polar_weights(const NT& u, const NT& v, const NT& w, in
  *
  * `p` and `q` are positions in the cell (\f$[0,1]^3\f$, `Tricubic_cell_3::local_coordinates()`). The first coefficient
  * is the value at `p`, and the last is the value at `q`. The coefficients are computed from the polar form of the
- * tricubic. For a segment in the cell, each is a convex combination of the cell's coefficients, so bounds by the hull
- * property are never worse than those of the cell.
+ * tricubic. For a segment in the cell, they are convex combinations of the cell's coefficients. Bounds by the hull
+ * property are therefore never worse than those of the cell.
  *
  * \tparam NT a number type, `double` or an interval
  * \param c 64 Bernstein coefficients of a cell

@@ -25,12 +25,12 @@ namespace Bspline_shells {
  * The expression is a lower bound of a function that is \f$g_i\f$ at the corners. The second derivative of this
  * function along the edge from corner i to j, times the squared length of the edge, is at most \f$q_{ij}\f$.
  *
- * Because the coordinates sum to one, the expression is the quadratic form of the matrix \f$a_{ii} = g_i\f$, \f$a_{ij}
- * = (g_i + g_j) / 2 - q_{ij} / 4\f$. With \f$c_{ij} = a_{ij} / \sqrt{g_i g_j}\f$, it is positive if and only if \f$g_i
- * > 0\f$, \f$c_{ij} > -1\f$, and \f$1 + \sum c_{ij} + \sqrt{2 \prod (1 + c_{ij})} > 0\f$ (*On copositive matrices*, K.
- * P. Hadeler, Linear Algebra and its Applications 49, 1983). A function that rises steeply from one corner may bend by
- * much more than a multiple of its smallest value. Rounding is included: if the expression is positive by less than
- * rounding errors, the result may be `false`.
+ * The coordinates sum to one. The expression is therefore the quadratic form of the matrix \f$a_{ii} = g_i\f$,
+ * \f$a_{ij} = (g_i + g_j) / 2 - q_{ij} / 4\f$. Let \f$c_{ij} = a_{ij} / \sqrt{g_i g_j}\f$. The form is positive if and
+ * only if \f$g_i > 0\f$, \f$c_{ij} > -1\f$, and \f$1 + \sum c_{ij} + \sqrt{2 \prod (1 + c_{ij})} > 0\f$ (*On copositive
+ * matrices*, K. P. Hadeler, Linear Algebra and its Applications 49, 1983). A function that rises steeply from one
+ * corner may bend by much more than a multiple of its smallest value. Rounding is included: if the expression is
+ * positive by less than rounding errors, the result may be `false`.
  *
  * \param g values at the corners
  * \param q \f$q_{ij}\f$ of the edge opposite to each corner

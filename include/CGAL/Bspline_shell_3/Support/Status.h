@@ -139,8 +139,8 @@ inline const char* message(Shell_status status)
       return "Floating-point arithmetic is unsound in this build: compile with -frounding-math and without "
              "-ffast-math, as the CMake target CGAL::CGAL does.";
     case Shell_status::TIME_LIMIT_EXCEEDED:
-      return "The time limit was reached before the shell was complete: raise the limit (time_limit), or request a "
-             "thicker shell.";
+      return "The time limit was reached before the shell was complete: raise the limit (time_limit), lower the "
+             "resolution, or limit the effort instead (effort_limit) to get a list of obstacles.";
     case Shell_status::CANCELED: return "The visitor canceled the computation.";
     case Shell_status::NOT_TRUNCATABLE:
       return "The truncation of the shell does not fit the mesh at the listed vertices: build a shell for this mesh.";

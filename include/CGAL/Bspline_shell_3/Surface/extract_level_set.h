@@ -56,7 +56,7 @@ struct All_cells
  * missed, and parts that are closer together may be joined.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
- * \tparam Field a model of `BsplineField_3`, with a `Cell_complex_3` or a `Cell_hierarchy_3`
+ * \tparam Field a model of `BsplineField_3`
  * \tparam Level a number type, or a model of `ShellThreshold`
  * \tparam TriangleMesh a model of `MutableFaceGraph`
  * \tparam NamedParameters a sequence of \ref BsplineShell3NamedParameters "named parameters"

@@ -25,8 +25,9 @@ namespace Bspline_shells {
  *
  * \brief interpolates the values at the corners of a triangle linearly.
  *
- * Values may be numbers (integers are rounded), `std::array`s of numbers, `CGAL::IO::Color`s (each channel is rounded),
- * points of a kernel, and all types with `T + T` and `double * T`, such as vectors of a kernel or of Eigen.
+ * Values may be numbers, `std::array`s of numbers, `CGAL::IO::Color`s, and points of a kernel. All types with `T + T`
+ * and `double * T` are also permitted, such as vectors of a kernel or of Eigen. Integers and channels of colors are
+ * rounded.
  *
  * \cgalModels `AttributeInterpolation`
  */

@@ -52,8 +52,8 @@ public:
 
   // Returns whether the values are continuous from facet `f` to a facet with an area that contains a point of facet
   // `g`. This facet, which replaces `g`, may be another facet if the point is on an edge or at a vertex of `g`. Only
-  // neighbors of `f` are considered and, if the path to the point is so short that it may also lead around a vertex,
-  // facets with a common vertex.
+  // neighbors of `f` are considered. If the path to the point is so short that it may also lead around a vertex, facets
+  // with a common vertex are considered as well.
   bool go_on(Index f, Index& g, const std::array<double, 3>& barycentric, bool around_vertices) const
   {
     for(Index n : facets_at(g, barycentric))

@@ -35,8 +35,8 @@ namespace Bspline_shells {
  * \brief transfers values of vertices from the source to the target: scalars, colors, vectors, displacements, and other
  * values that can be interpolated.
  *
- * A vertex of the target gets the value at the point where the integral curve through the vertex meets the source,
- * interpolated from the three corners of the facet there. If `mapping()` is given, it converts this value by the
+ * A vertex of the target gets the value at the point where the integral curve through the vertex meets the source. It
+ * is interpolated from the three corners of the facet there. If `mapping()` is given, it converts this value by the
  * differential of the map; for example, it turns vectors as the map does. Values are sampled, which does not preserve
  * integrals. If the source has far more vertices than the target, `average_vertex_attribute()` loses less detail. The
  * property maps are read and written only by the calling thread.
@@ -144,7 +144,7 @@ Transfer_report transfer_vertex_attribute(const Map& map, SourceValueMap source_
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
  * \return a report with the vertices of the target without a value (all vertices if the visitor stopped), and the
- *   vertices of the source that do not contribute, because they have no image
+ *   vertices of the source without an image, which do not contribute
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename SourceValueMap,
           typename TargetValueMap, typename CGAL_NP_TEMPLATE_PARAMETERS>

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// A question provides the tricubic to bound on a cell, the ranges of it that prove or refute the claim, and the size of
-// the unit in which it is given.
+// A question provides the tricubic to bound on a cell, and the unit in which it is given. It also provides the ranges
+// of the tricubic that prove or refute the claim.
 struct Values_within
 {
   Level_range levels;

@@ -99,7 +99,7 @@ public:
   typedef typename Field::Point_3 Point_3;
   typedef std::array<Point_3, size> Simplex;
 
-  // Parameters that are null are not wanted. `bound_below` receives the least value.
+  // Pointers may be null. `bound_below` receives the least value.
   Simplex_decision(const Field& field, double largest_width, const Simplex& simplex, const Question& question,
                    Witness* witness, Predicate_statistics* statistics, Least_value* bound_below)
     : m_field(field), m_simplex(simplex), m_question(question), m_witness(witness), m_bound_below(bound_below),
@@ -214,8 +214,8 @@ private:
     return Bbox_3(least[0], least[1], least[2], most[0], most[1], most[2]);
   }
 
-  // Tries to prove the claim on a part. Parts larger than a cell that they meet are too large, as facets may be long
-  // and thin, and as a cell's polynomial gives no useful bound far beyond the cell.
+  // Tries to prove the claim on a part. Parts are too large if they are larger than a cell that they meet: facets may
+  // be long and thin, and a cell's polynomial gives no useful bound far beyond the cell.
   Attempt prove(const Part& part, const Corners& corners, double length)
   {
     const bool may_bisect = part.depth < max_bisections;

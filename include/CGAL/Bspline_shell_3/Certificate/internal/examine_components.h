@@ -47,9 +47,9 @@ struct Component_paths
 };
 
 // Examines whether the components of the mesh are those of the certified shell. All meshes for which this is proved are
-// mapped onto each other. Without paths through a shell, the mesh defines the components. An uncertified shell may have
-// critical points away from the mesh, and a file may contain any paths, so nothing is refuted if such paths do not meet
-// a mesh.
+// mapped onto each other. Without paths through a shell, the mesh defines the components. If paths of an uncertified
+// shell or of a file do not meet a mesh, nothing is refuted: the shell may have critical points away from the mesh, and
+// the file may contain any paths.
 inline void examine_components(const Input_mesh_3& input, const Seeds& seeds, const Component_paths& shell,
                                Certificate_draft& draft)
 {

@@ -63,9 +63,10 @@ std::optional<std::array<double, 3> > joined(const Examined_shell<Field, Thresho
 }
 
 // Examines P4, given P1. Components of the mesh in different components of the cover are in different components of the
-// shell. If P2, P3, and P5 hold, so are components of the mesh that share a component of the cover: each component of
-// the shell is then a product of a surface and the curves, and all curves meet a component of the mesh in it equally
-// often, at least once. Because the path through such a component meets the whole mesh once, there is no other.
+// shell. If P2, P3, and P5 hold, components of the mesh that share a component of the cover are also in different
+// components of the shell. Each component of the shell is then a product of a surface and the curves. All curves meet a
+// component of the mesh in it equally often, at least once. Because the path through such a component meets the whole
+// mesh once, there is no other.
 template <typename Field, typename Threshold, typename Shared>
 void examine_sheets(const Examined_shell<Field, Threshold>& shell, const Input_mesh_3& input, const Seeds& seeds,
                     const std::vector<Shared>& shared, Certificate_draft& draft)

@@ -177,7 +177,7 @@ private:
     Vector_3 beyond(0, 0, 0);
     for(Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
       if(m_mesh.is_border(h))
-        beyond = beyond + mitre(outward_conormal(m_mesh, h), outward_conormal(m_mesh, m_mesh.next(h)));
+        beyond = beyond + miter(outward_conormal(m_mesh, h), outward_conormal(m_mesh, m_mesh.next(h)));
     const double room = tree.distance(m_mesh.point(v), back, [&](Face_index f) {
       const auto around = m_mesh.vertices_around_face(m_mesh.halfedge(f));
       return std::find(around.begin(), around.end(), v) != around.end();
@@ -189,7 +189,7 @@ private:
 
   // Returns the vector whose scalar products with two unit vectors are one, shortened to `longest` if necessary, or
   // zero if the unit vectors are almost opposite.
-  static Vector_3 mitre(const Vector_3& a, const Vector_3& b)
+  static Vector_3 miter(const Vector_3& a, const Vector_3& b)
   {
     const Vector_3 sum = a + b;
     constexpr double longest = 2;

@@ -6,8 +6,8 @@
 #ifndef CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_COLLAPSE_RULES_H
 #define CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_COLLAPSE_RULES_H
 
+#include <CGAL/Bspline_shell_3/Editing/internal/Edge_constraints.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Frozen_facets.h>
-#include <CGAL/Bspline_shell_3/Editing/internal/constrained_edges.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/property_map.h>
@@ -31,9 +31,7 @@ struct Allowed_places
 // Determines from constrained edges and frozen facets which edges may be collapsed, and to which positions. Vertices of
 // constrained edges do not move. If constrained edges are not protected, they are collapsed at vertices where exactly
 // two of them meet.
-//
-// `Merges` is whether constrained edges may be unprotected, which requires a writable map.
-template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap, bool Merges>
+template <typename TriangleMesh, typename VertexPointMap>
 class Collapse_rules
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
@@ -43,9 +41,10 @@ class Collapse_rules
   typedef typename boost::property_traits<VertexPointMap>::value_type Point;
 
 public:
-  Collapse_rules(const TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConstrainedMap constrained, bool protects,
-                 Frozen_facets<TriangleMesh>& frozen)
-    : m_mesh(mesh), m_vpm(vpm), m_constrained(constrained), m_protects(protects || !Merges), m_frozen(frozen)
+  // pre: `protects`, or the map of constrained edges is writable
+  Collapse_rules(const TriangleMesh& mesh, VertexPointMap vpm, const Edge_constraints<TriangleMesh>& constraints,
+                 bool protects, Frozen_facets<TriangleMesh>& frozen)
+    : m_mesh(mesh), m_vpm(vpm), m_constraints(constraints), m_protects(protects), m_frozen(frozen)
   {}
 
   // Returns whether CGAL must not consider an edge at all. CGAL collapses edges of length zero without calling the
@@ -53,9 +52,22 @@ public:
   bool is_kept(edge_descriptor e) const
   {
     return m_frozen.has_edge(e)
-           || (get(m_constrained, e)
+           || (get(m_constraints, e)
                && (m_protects || has_zero_edge(source(e, m_mesh)) || has_zero_edge(target(e, m_mesh))));
   }
+  // Returns these edges as a property map.
+  struct Kept_edges
+  {
+    typedef edge_descriptor key_type;
+    typedef bool value_type;
+    typedef bool reference;
+    typedef boost::readable_property_map_tag category;
+
+    const Collapse_rules* rules;
+
+    friend bool get(const Kept_edges& kept, edge_descriptor e) { return kept.rules->is_kept(e); }
+  };
+  Kept_edges kept_edges() const { return { this }; }
 
   template <typename Profile>
   Allowed_places<Point> allowed_places(const Profile& profile) const
@@ -66,18 +78,18 @@ public:
     if(m_frozen.is_fixed(v0) && m_frozen.is_fixed(v1)) return allowed;
     // Edges that close the mesh are not keys of the map.
     if(m_frozen.is_fixed(v0)) {
-      if(number_of_constrained_edges(v1) == 0) allowed.places.push_back(profile.p0());
+      if(m_constraints.degree(v1, m_mesh) == 0) allowed.places.push_back(profile.p0());
       return allowed;
     }
     if(m_frozen.is_fixed(v1)) {
-      if(number_of_constrained_edges(v0) == 0) allowed.places.push_back(profile.p1());
+      if(m_constraints.degree(v0, m_mesh) == 0) allowed.places.push_back(profile.p1());
       return allowed;
     }
-    const std::size_t number_0 = number_of_constrained_edges(v0), number_1 = number_of_constrained_edges(v1);
+    const std::size_t number_0 = m_constraints.degree(v0, m_mesh), number_1 = m_constraints.degree(v1, m_mesh);
     allowed.are_all = number_0 == 0 && number_1 == 0;
     if(allowed.are_all) return allowed;
     const bool is_along = !m_protects && is_constrained(profile.v0_v1());
-    if(is_along && would_join_constrained_edges(profile.v0_v1(), m_mesh, m_constrained)) return allowed;
+    if(is_along && m_constraints.are_joined_by_collapse(profile.v0_v1(), m_mesh)) return allowed;
     if(is_along ? number_1 == 2 : number_1 == 0) allowed.places.push_back(profile.p0());
     if(is_along ? number_0 == 2 : number_0 == 0) allowed.places.push_back(profile.p1());
     return allowed;
@@ -87,30 +99,22 @@ public:
   template <typename Profile>
   void before_collapse(const Profile& profile)
   {
-    if constexpr(Merges)
-      if(!m_protects) {
-        m_is_left_constrained = release(profile.vL_v0(), profile.v1_vL());
-        m_is_right_constrained = release(profile.vR_v1(), profile.v0_vR());
-        if(is_constrained(profile.v0_v1())) put(m_constrained, edge(profile.v0_v1(), m_mesh), false);
-      }
+    if(m_protects) return;
+    m_is_left_constrained = release(profile.vL_v0(), profile.v1_vL());
+    m_is_right_constrained = release(profile.vR_v1(), profile.v0_vR());
+    if(is_constrained(profile.v0_v1())) put(m_constraints, edge(profile.v0_v1(), m_mesh), false);
   }
   template <typename Profile>
   void after_collapse(const Profile& profile, vertex_descriptor v)
   {
     m_frozen.replace(v == profile.v0() ? profile.v1() : profile.v0(), v);
-    if constexpr(Merges) {
-      if(m_is_left_constrained) constrain(v, profile.vL());
-      if(m_is_right_constrained) constrain(v, profile.vR());
-      m_is_left_constrained = m_is_right_constrained = false;
-    }
+    if(m_is_left_constrained) constrain(v, profile.vL());
+    if(m_is_right_constrained) constrain(v, profile.vR());
+    m_is_left_constrained = m_is_right_constrained = false;
   }
 
 private:
-  bool is_constrained(halfedge_descriptor h) const { return get(m_constrained, edge(h, m_mesh)); }
-  std::size_t number_of_constrained_edges(vertex_descriptor v) const
-  {
-    return internal::number_of_constrained_edges(v, m_mesh, m_constrained);
-  }
+  bool is_constrained(halfedge_descriptor h) const { return get(m_constraints, edge(h, m_mesh)); }
 
   bool has_zero_edge(vertex_descriptor v) const
   {
@@ -125,36 +129,22 @@ private:
     bool was_constrained = false;
     for(halfedge_descriptor side : { g, h })
       if(is_constrained(side)) {
-        put(m_constrained, edge(side, m_mesh), false);
+        put(m_constraints, edge(side, m_mesh), false);
         was_constrained = true;
       }
     return was_constrained;
   }
   void constrain(vertex_descriptor v, vertex_descriptor w)
   {
-    put(m_constrained, edge(halfedge(v, w, m_mesh).first, m_mesh), true);
+    put(m_constraints, edge(halfedge(v, w, m_mesh).first, m_mesh), true);
   }
 
   const TriangleMesh& m_mesh;
   VertexPointMap m_vpm;
-  EdgeIsConstrainedMap m_constrained;
+  Edge_constraints<TriangleMesh> m_constraints;
   bool m_protects;
   Frozen_facets<TriangleMesh>& m_frozen;
   bool m_is_left_constrained = false, m_is_right_constrained = false; // during a collapse
-};
-
-// The edges that CGAL must not consider, as a property map.
-template <typename Rules, typename Edge>
-struct Kept_edges_map
-{
-  typedef Edge key_type;
-  typedef bool value_type;
-  typedef bool reference;
-  typedef boost::readable_property_map_tag category;
-
-  const Rules* rules;
-
-  friend bool get(const Kept_edges_map& map, const key_type& e) { return map.rules->is_kept(e); }
 };
 
 } // namespace internal

@@ -8,9 +8,10 @@
 
 #include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
 #include <CGAL/Bspline_shell_3/Editing/Remeshing_report.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Edge_constraints.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Frozen_facets.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Remeshing_options.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Vertex_images.h>
-#include <CGAL/Bspline_shell_3/Editing/internal/constrained_edges.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/Kernel/global_functions.h>
@@ -26,7 +27,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -40,8 +40,7 @@ namespace internal {
 // Fans that wind once then continue to do so. At a vertex that moves or is new, the oracle counts the turns. At other
 // vertices, one or two facets are replaced by one or two facets between the same two edges. They turn by less than a
 // full turn before and after, and by the same angle up to full turns. (For collapses, see Shell_filter.)
-template <typename TriangleMesh_, typename VertexPointMap, typename Oracle, typename Sizing,
-          typename EdgeIsConstrainedMap, typename VertexIsConstrainedMap>
+template <typename TriangleMesh_, typename VertexPointMap, typename Oracle>
 class Guarded_mesh
 {
   typedef boost::graph_traits<TriangleMesh_> Graph_traits;
@@ -68,33 +67,30 @@ public:
   TriangleMesh& mesh;
   const Oracle& oracle;
   const Frozen_facets<TriangleMesh>& frozen;
-  EdgeIsConstrainedMap edge_is_constrained;
+  const Edge_constraints<TriangleMesh>& constraints;
   Vertex_images<TriangleMesh> images;
 
-  // \param go_on returns false to end the edit
-  Guarded_mesh(TriangleMesh& mesh, VertexPointMap vpm, const Oracle& oracle, const Sizing& sizing,
-               const Frozen_facets<TriangleMesh>& frozen, EdgeIsConstrainedMap edge_is_constrained,
-               VertexIsConstrainedMap vertex_is_constrained, bool protect_constraints,
-               const std::vector<vertex_descriptor>& original_vertices, std::function<bool()> go_on,
-               Remeshing_report& report)
-    : mesh(mesh), oracle(oracle), frozen(frozen), edge_is_constrained(edge_is_constrained),
-      images(mesh, original_vertices), m_vpm(vpm), m_sizing(sizing), m_vertex_is_constrained(vertex_is_constrained),
-      m_protect_constraints(protect_constraints), m_go_on(std::move(go_on)), m_report(report)
+  // pre: `options` outlives this object
+  Guarded_mesh(TriangleMesh& mesh, VertexPointMap vpm, const Oracle& oracle, const Frozen_facets<TriangleMesh>& frozen,
+               const Remeshing_options<TriangleMesh, Point>& options,
+               const std::vector<vertex_descriptor>& original_vertices, Remeshing_report& report)
+    : mesh(mesh), oracle(oracle), frozen(frozen), constraints(options.constraints), images(mesh, original_vertices),
+      m_vpm(vpm), m_options(options), m_report(report)
   {}
 
-  // Once the edit is ended, by the caller or by `go_on`, go_on() returns false, and no operation may follow.
+  // Once the edit is ended, by the caller or by the option `go_on`, go_on() returns false, and no operation may follow.
   void end() { m_goes_on = false; }
   bool has_ended() const { return !m_goes_on; }
   bool go_on()
   {
-    m_goes_on = m_goes_on && m_go_on();
+    m_goes_on = m_goes_on && m_options.go_on();
     return m_goes_on;
   }
 
   // Returns a reference or a point, depending on the map.
   decltype(auto) point(vertex_descriptor v) const { return converted<Point>(get(m_vpm, v)); }
   // Returns the target length of an edge between two points.
-  double target_length(const Point& p, const Point& q) const { return m_sizing(CGAL::midpoint(p, q)); }
+  double target_length(const Point& p, const Point& q) const { return m_options.target_length(CGAL::midpoint(p, q)); }
   // Returns the length of an edge, divided by the target length.
   double relative_length(halfedge_descriptor h) const
   {
@@ -104,20 +100,26 @@ public:
 
   // Constraints
 
-  bool is_constrained(edge_descriptor e) const { return get(edge_is_constrained, e); }
+  bool is_constrained(edge_descriptor e) const { return get(constraints, e); }
+  bool is_constrained(vertex_descriptor v) const
+  {
+    return m_options.is_vertex_constrained && m_options.is_vertex_constrained(v);
+  }
   // Returns whether an edge must be neither split nor collapsed.
-  bool is_kept(edge_descriptor e) const { return frozen.has_edge(e) || (m_protect_constraints && is_constrained(e)); }
+  bool is_kept(edge_descriptor e) const
+  {
+    return frozen.has_edge(e) || (m_options.protects_constraints && is_constrained(e));
+  }
   // Returns whether a vertex must be neither moved nor removed.
   bool is_fixed(vertex_descriptor v) const
   {
-    return frozen.has_vertex(v) || frozen.is_fixed(v) || get(m_vertex_is_constrained, v)
-           || number_of_constrained_edges(v, mesh, edge_is_constrained) > 0;
+    return frozen.has_vertex(v) || frozen.is_fixed(v) || is_constrained(v) || constraints.degree(v, mesh) > 0;
   }
   // Returns whether constrained edges pass through a vertex, so that it may be removed with one of them.
   bool is_passed(vertex_descriptor v) const
   {
-    return !m_protect_constraints && !frozen.is_fixed(v) && !get(m_vertex_is_constrained, v)
-           && number_of_constrained_edges(v, mesh, edge_is_constrained) == 2;
+    return !m_options.protects_constraints && !frozen.is_fixed(v) && !is_constrained(v)
+           && constraints.degree(v, mesh) == 2;
   }
 
   // Verdicts
@@ -155,18 +157,18 @@ public:
     set_point(v, p);
     images.add_vertex(v);
     // New edges may have any value in a map until it is set.
-    set_constrained(edge(half, mesh), was_constrained);
-    set_constrained(edge(Euler::split_face(half, next(h, mesh), mesh), mesh), false);
-    set_constrained(edge(Euler::split_face(opposite(h, mesh), next(opposite(half, mesh), mesh), mesh), mesh), false);
+    put(constraints, edge(half, mesh), was_constrained);
+    put(constraints, edge(Euler::split_face(half, next(h, mesh), mesh), mesh), false);
+    put(constraints, edge(Euler::split_face(opposite(h, mesh), next(opposite(half, mesh), mesh), mesh), mesh), false);
     ++m_report.splits;
     return v;
   }
   // Collapses an edge. Returns the vertex that is kept.
   vertex_descriptor collapse(halfedge_descriptor h, const Point& p)
   {
-    set_constrained(edge(h, mesh), false);
+    put(constraints, edge(h, mesh), false);
     images.collapse(source(h, mesh), target(h, mesh));
-    const vertex_descriptor v = Euler::collapse_edge(edge(h, mesh), mesh, edge_is_constrained);
+    const vertex_descriptor v = Euler::collapse_edge(edge(h, mesh), mesh, constraints);
     set_point(v, p);
     ++m_report.collapses;
     return v;
@@ -187,10 +189,6 @@ private:
   {
     put(m_vpm, v, converted<typename boost::property_traits<VertexPointMap>::value_type>(p));
   }
-  void set_constrained(edge_descriptor e, bool value)
-  {
-    if constexpr(may_have_constrained_edges<TriangleMesh, EdgeIsConstrainedMap>) put(edge_is_constrained, e, value);
-  }
   bool is_accepted(Placement_verdict verdict)
   {
     count(verdict);
@@ -198,10 +196,7 @@ private:
   }
 
   VertexPointMap m_vpm;
-  const Sizing& m_sizing;
-  VertexIsConstrainedMap m_vertex_is_constrained;
-  bool m_protect_constraints;
-  std::function<bool()> m_go_on;
+  const Remeshing_options<TriangleMesh, Point>& m_options;
   bool m_goes_on = true;
   Remeshing_report& m_report;
 };

@@ -6,6 +6,8 @@
 #ifndef CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_MESH_BACKUP_H
 #define CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_MESH_BACKUP_H
 
+#include <CGAL/Bspline_shell_3/Editing/internal/Edge_constraints.h>
+
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/property_map.h>
@@ -50,25 +52,20 @@ void assign(const Surface_mesh<Point>& before, Surface_mesh<Point>& mesh)
 }
 
 // A copy of a mesh before an edit, with the values of its maps of points and of constrained edges.
-template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap>
+template <typename TriangleMesh, typename VertexPointMap>
 class Mesh_backup
 {
-  typedef boost::property_traits<EdgeIsConstrainedMap> Constraint_traits;
   typedef typename boost::property_map<TriangleMesh, vertex_point_t>::type Point_map_of_mesh;
   static constexpr bool has_own_points = std::is_same<VertexPointMap, Point_map_of_mesh>::value;
-  // Maps that cannot be written need no copy.
-  static constexpr bool has_own_constraints =
-    !std::is_convertible<typename Constraint_traits::category, boost::writable_property_map_tag>::value
-    || std::is_const<std::remove_reference_t<typename Constraint_traits::reference> >::value;
 public:
   typedef typename boost::property_traits<VertexPointMap>::value_type Point;
 
-  Mesh_backup(const TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConstrainedMap edge_is_constrained)
-    : m_mesh(mesh), m_vpm(vpm), m_edge_is_constrained(edge_is_constrained)
+  Mesh_backup(const TriangleMesh& mesh, VertexPointMap vpm, const Edge_constraints<TriangleMesh>& constraints)
+    : m_mesh(mesh), m_vpm(vpm), m_constraints(constraints)
   {
     for(auto v : vertices(mesh)) m_points.push_back(get(vpm, v));
-    if constexpr(!has_own_constraints)
-      for(auto e : edges(mesh)) m_is_constrained.push_back(get(edge_is_constrained, e) ? 1 : 0);
+    if(m_constraints.is_writable()) // other maps need no copy
+      for(auto e : edges(mesh)) m_is_constrained.push_back(get(m_constraints, e) ? 1 : 0);
   }
 
   // Returns the points in the order of vertices(mesh).
@@ -77,21 +74,21 @@ public:
   // Restores the original mesh. Its elements are new, unless it is restored in place.
   void restore(TriangleMesh& mesh)
   {
-    if constexpr(!has_own_constraints)
-      for(auto e : edges(mesh)) put(m_edge_is_constrained, e, false); // edges may be keys of the map, and vanish
+    if(m_constraints.is_writable())
+      for(auto e : edges(mesh)) put(m_constraints, e, false); // edges may be keys of the map, and vanish
     assign(m_mesh, mesh);
     std::size_t n = 0;
     if constexpr(!has_own_points)
       for(auto v : vertices(mesh)) put(m_vpm, v, m_points[n++]);
     n = 0;
-    if constexpr(!has_own_constraints)
-      for(auto e : edges(mesh)) put(m_edge_is_constrained, e, m_is_constrained[n++] != 0);
+    if(m_constraints.is_writable())
+      for(auto e : edges(mesh)) put(m_constraints, e, m_is_constrained[n++] != 0);
   }
 
 private:
   TriangleMesh m_mesh;
   VertexPointMap m_vpm;
-  EdgeIsConstrainedMap m_edge_is_constrained;
+  Edge_constraints<TriangleMesh> m_constraints;
   std::vector<Point> m_points;
   std::vector<char> m_is_constrained; // values, ordered as edges(mesh)
 };

@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
 #include <CGAL/Bspline_shell_3/Editing/Collapse_visitor.h>
 #include <CGAL/Bspline_shell_3/Editing/Edit_termination.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Any_collapse_policies.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/move_to_level.h>
 #include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
@@ -23,7 +24,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -57,12 +57,13 @@ struct Collapse_state
 
 // Presents several runs to the base visitor as one. Marks the selected edge after calling the base visitor, and updates
 // constraints before the base visitor receives a collapsed edge.
-template <typename TriangleMesh, typename Visitor, typename Rules>
-class Selecting_visitor : public Collapse_visitor<TriangleMesh, Visitor>
+template <typename Profile, typename Rules>
+class Selecting_visitor : public Collapse_visitor<typename Profile::Triangle_mesh, Any_collapse_visitor<Profile> >
 {
-  typedef Collapse_visitor<TriangleMesh, Visitor> Base;
+  typedef typename Profile::Triangle_mesh TriangleMesh;
+  typedef Collapse_visitor<TriangleMesh, Any_collapse_visitor<Profile> > Base;
 public:
-  Selecting_visitor(Visitor& visitor, TriangleMesh& mesh, Rules& rules, Collapse_state& state)
+  Selecting_visitor(Any_collapse_visitor<Profile>& visitor, TriangleMesh& mesh, Rules& rules, Collapse_state& state)
     : Base(visitor), m_mesh(&mesh), m_rules(&rules), m_state(&state),
       m_obstacle(get(dynamic_edge_property_t<Edit_termination>(), mesh))
   {}
@@ -80,37 +81,34 @@ public:
     return end;
   }
 
+  void start() { Base::OnStarted(*m_mesh); }
+  void finish() { Base::OnFinished(*m_mesh); }
   void OnStarted(TriangleMesh&) {}
   void OnFinished(TriangleMesh&) {}
-  template <typename Profile, typename OptionalCost>
-  void OnCollected(const Profile& profile, const OptionalCost& cost)
+  void OnCollected(const Profile& profile, const Optional<typename Profile::FT>& cost)
   {
     Run::poll();
     Base::OnCollected(profile, cost);
   }
-  template <typename Profile, typename OptionalCost>
-  void OnSelected(const Profile& profile, const OptionalCost& cost, std::size_t, std::size_t current)
+  void OnSelected(const Profile& profile, const Optional<typename Profile::FT>& cost, std::size_t, std::size_t current)
   {
     Base::OnSelected(profile, cost, m_state->initial_edges, m_state->edges_without_closing(current));
     m_state->is_waiting = true;
     m_state->obstacle = Edit_termination::MESH; // unless a placement is rejected
     m_state->cost = cost ? rounded(*cost) : 0;
   }
-  template <typename Profile, typename OptionalPoint>
-  void OnCollapsing(const Profile& profile, const OptionalPoint& placement)
+  void OnCollapsing(const Profile& profile, const Optional<typename Profile::Point>& placement)
   {
     Base::OnCollapsing(profile, placement);
     m_state->largest_cost = (std::max)(m_state->largest_cost, m_state->cost);
     ++m_state->collapsed;
     m_rules->before_collapse(profile);
   }
-  template <typename Profile, typename Vertex>
-  void OnCollapsed(const Profile& profile, const Vertex& v)
+  void OnCollapsed(const Profile& profile, typename Profile::vertex_descriptor v)
   {
     m_rules->after_collapse(profile, v);
     Base::OnCollapsed(profile, v);
   }
-  template <typename Profile>
   void OnNonCollapsable(const Profile& profile)
   {
     Base::OnNonCollapsable(profile);
@@ -126,14 +124,13 @@ private:
 };
 
 // Calls the caller's predicate with the number of edges before and during the whole edit, which may take several runs.
-template <typename Stop>
+template <typename Profile>
 struct Continued_stop_predicate
 {
-  const Stop* stop;
+  const Collapse_stop_predicate<Profile>* stop;
   Collapse_state* state;
 
-  template <typename FT, typename Profile>
-  bool operator()(const FT& cost, const Profile& profile, std::size_t, std::size_t edges) const
+  bool operator()(const typename Profile::FT& cost, const Profile& profile, std::size_t, std::size_t edges) const
   {
     Run::poll();
     state->has_stopped = (*stop)(cost, profile, state->initial_edges, state->edges_without_closing(edges));
@@ -141,61 +138,51 @@ struct Continued_stop_predicate
   }
 };
 
-// Whether costs must be initialized at the beginning of a run, and updated after each collapse.
-template <typename Cost, typename = void>
-struct Requires_updates : Tag_false
-{};
-template <typename Cost>
-struct Requires_updates<Cost, std::void_t<typename Cost::Update_tag> > : Boolean_tag<Cost::Update_tag::value>
-{};
-
-// The caller's costs, which are initialized only with the original mesh.
-template <typename Cost>
+// The costs of a policy, which are initialized only with the original mesh.
+template <typename Profile>
 struct Continued_cost
 {
-  typedef Boolean_tag<Requires_updates<Cost>::value> Update_tag;
+  typedef Tag_true Update_tag;
 
-  const Cost* cost;
+  const Any_collapse_policy<Profile>* policy;
   const Collapse_state* state;
 
-  template <typename Profile, typename OptionalPoint>
-  auto operator()(const Profile& profile, const OptionalPoint& placement) const
+  Optional<typename Profile::FT> operator()(const Profile& profile,
+                                            const Optional<typename Profile::Point>& placement) const
   {
-    return (*cost)(profile, placement);
+    return policy->cost(profile, placement);
   }
-  template <typename TriangleMesh, typename VertexPointMap, typename GeomTraits>
-  void initialize(const TriangleMesh& mesh, const VertexPointMap& vpm, const GeomTraits& traits) const
+  void initialize(const typename Profile::Triangle_mesh& mesh, const typename Profile::Vertex_point_map& vpm,
+                  const typename Profile::Geom_traits& traits) const
   {
-    if(state->collapsed == 0) cost->initialize(mesh, vpm, traits);
+    if(state->collapsed == 0) policy->initialize(mesh, vpm, traits);
   }
-  template <typename Profile, typename Vertex>
-  void update_after_collapse(const Profile& profile, const Vertex& v) const
+  void update_after_collapse(const Profile& profile, typename Profile::vertex_descriptor v) const
   {
-    cost->update_after_collapse(profile, v);
+    policy->update_after_collapse(profile, v);
   }
 };
 
 // For an edge that only needs a cost, returns the policy's placement. For the selected edge, returns the cheapest of
 // several placements that passes the filter, or the policy's placement if there is none or it is too expensive. If the
 // rules allow only some positions, these replace the policy's placement; if they allow none, no placement is accepted.
-template <typename Cost, typename Placement, typename Filter, typename Field, typename Rules>
+template <typename Profile, typename Filter, typename Field, typename Rules>
 class Retrying_placement
 {
+  typedef typename Profile::Point Point;
+  typedef Optional<Point> Place;
+
 public:
-  Retrying_placement(const Cost& cost, const Placement& placement, const Filter& filter, const Field& field,
+  Retrying_placement(const Any_collapse_policy<Profile>& policy, const Filter& filter, const Field& field,
                      const Rules& rules, Collapse_state& state)
-    : m_cost(&cost), m_placement(&placement), m_filter(&filter), m_field(&field), m_rules(&rules), m_state(&state)
+    : m_policy(&policy), m_filter(&filter), m_field(&field), m_rules(&rules), m_state(&state)
   {}
 
-  template <typename Profile>
-  Optional<typename Profile::Point> operator()(const Profile& profile) const
+  Place operator()(const Profile& profile) const
   {
-    typedef typename Profile::Point Point;
-    typedef Optional<Point> Place;
-
     const auto allowed = m_rules->allowed_places(profile);
     Place placement;
-    if(allowed.are_all) placement = (*m_placement)(profile);
+    if(allowed.are_all) placement = m_policy->placement(profile);
     else if(!allowed.places.empty()) placement = cheapest(profile, allowed.places);
     else placement = profile.p0();
     if(!m_state->is_waiting) return placement;
@@ -208,7 +195,7 @@ public:
     const double due = m_state->allowance * (std::max)(m_state->largest_cost, m_state->cost);
     boost::container::static_vector<std::pair<double, Point>, 5> others;
     const auto add = [&](const Point& p) {
-      const auto cost = (*m_cost)(profile, Place(p));
+      const auto cost = m_policy->cost(profile, Place(p));
       if(!cost) return;
       if(rounded(*cost) <= due) others.emplace_back(rounded(*cost), p);
       else m_state->has_deferred = true;
@@ -242,13 +229,12 @@ public:
   }
 
 private:
-  template <typename Profile, typename Point>
-  Optional<Point> cheapest(const Profile& profile, const std::vector<Point>& places) const
+  Place cheapest(const Profile& profile, const std::vector<Point>& places) const
   {
-    Optional<Point> best;
+    Place best;
     double least = 0;
     for(const Point& p : places) {
-      const auto cost = (*m_cost)(profile, Optional<Point>(p));
+      const auto cost = m_policy->cost(profile, Place(p));
       const double value = cost ? rounded(*cost) : std::numeric_limits<double>::infinity();
       if(best && !(value < least)) continue;
       best = p;
@@ -257,8 +243,7 @@ private:
     return best;
   }
 
-  const Cost* m_cost;
-  const Placement* m_placement;
+  const Any_collapse_policy<Profile>* m_policy;
   const Filter* m_filter;
   const Field* m_field;
   const Rules* m_rules;

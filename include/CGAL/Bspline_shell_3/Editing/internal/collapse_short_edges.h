@@ -7,7 +7,6 @@
 #define CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_COLLAPSE_SHORT_EDGES_H
 
 #include <CGAL/Bspline_shell_3/Editing/internal/Remeshing_tuning.h>
-#include <CGAL/Bspline_shell_3/Editing/internal/constrained_edges.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/triangle_quality.h>
 
 #include <CGAL/Kernel/global_functions.h>
@@ -67,7 +66,7 @@ std::optional<typename Guarded::Point> place_to_collapse_to(typename Guarded::ha
   if(is_source_fixed && is_target_fixed) return std::nullopt;
   if(is_source_fixed || (!is_target_fixed && sharpness(source(h, mesh), guarded) > sharpness(target(h, mesh), guarded)))
     h = opposite(h, mesh);
-  if(would_join_constrained_edges(h, mesh, guarded.edge_is_constrained)) return std::nullopt;
+  if(guarded.constraints.are_joined_by_collapse(h, mesh)) return std::nullopt;
   // Euler::collapse_edge() keeps the target of the edge's halfedge, which must therefore be `h`.
   if(halfedge(edge(h, mesh), mesh) != h) return std::nullopt;
   const typename Guarded::Link link = link_of_edge(h, guarded);

@@ -12,16 +12,15 @@
 #include <CGAL/Bspline_shell_3/Editing/Edit_termination.h>
 #include <CGAL/Bspline_shell_3/Editing/Edit_status.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Closed_for_edit.h>
+#include <CGAL/Bspline_shell_3/Editing/internal/Edit_options.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Frozen_facets.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Frozen_state.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Mesh_backup.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Mesh_truncated_for_edit.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/find_rejected_facets.h>
 #include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
-#include <CGAL/Bspline_shell_3/Projection/project_points.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
-#include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
 
 #include <CGAL/FPU.h>
@@ -32,7 +31,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -60,16 +58,6 @@ Edit_status check_before_edits(const TriangleMesh& mesh, VertexPointMap vpm, con
   return Edit_status::SUCCESS;
 }
 
-// Finds the locations where the integral curves through points meet a mesh.
-template <typename ConcurrencyTag, typename Result, typename Shell, typename Point, typename TriangleMesh,
-          typename VertexPointMap>
-void locate(const Shell& shell, const std::vector<Point>& points, const TriangleMesh& mesh, VertexPointMap vpm,
-            Result& result)
-{
-  for(const auto& image : project_points<ConcurrencyTag>(shell, points, mesh, CGAL::parameters::vertex_point_map(vpm)))
-    result.locations.push_back(image.location);
-}
-
 // Checks the mesh, edits it, and certifies the result. If the result is not certified, the edit is undone, unless
 // facets are frozen and all others are accepted. `edit(oracle, frozen, all)` writes images and counts to the result,
 // and returns success or the reason why the edit must be undone. It must remove all properties that it attaches to the
@@ -78,15 +66,13 @@ void locate(const Shell& shell, const std::vector<Point>& points, const Triangle
 // shell; `frozen` contains these facets.
 // \pre `check_before_edits()` accepts the mesh
 // \param proofs which of the facets that the oracle accepts are proved. If facets may be frozen, all of them must be.
-template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap,
-          typename Field, typename Threshold, typename NamedParameters, typename Result, typename Edit>
-Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConstrainedMap edge_is_constrained,
-                             const Bspline_shell_3<Field, Threshold>& shell, Facet_proofs proofs,
-                             const NamedParameters& np, Result& result, const Edit& edit)
+template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename Field, typename Threshold,
+          typename Result, typename Edit>
+Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, const Bspline_shell_3<Field, Threshold>& shell,
+                             Facet_proofs proofs, const Edit_options<TriangleMesh>& options, Result& result,
+                             const Edit& edit)
 {
   typedef Frozen_facets<TriangleMesh> Frozen;
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   Real_timer timer;
   timer.start();
   const auto lap = [&timer](double& seconds) {
@@ -95,7 +81,7 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
   };
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // required by exact predicates
 
-  Mesh_backup<TriangleMesh, VertexPointMap, EdgeIsConstrainedMap> before(mesh, vpm, edge_is_constrained);
+  Mesh_backup<TriangleMesh, VertexPointMap> before(mesh, vpm, options.constraints);
   Closed_for_edit<TriangleMesh> closed(mesh);
   const auto undone = [&](Edit_status status) {
     closed.forget();
@@ -110,11 +96,10 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
   try {
     std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> all(vertices(mesh).begin(),
                                                                                    vertices(mesh).end());
-    std::vector<std::array<double, 3> > traced; // points of the shell from which vertices are located
+    std::vector<std::array<double, 3> > traced; // points from which vertices are located
     Mesh_truncated_for_edit<TriangleMesh> truncated;
     if(shell.truncation()) {
-      if(choose_parameter(get_parameter(np, parameter_tags::locate_vertices), false))
-        traced = Projection_target_3<TriangleMesh>(mesh, vpm, shell.truncation()).traced_vertices();
+      if(options.locate) traced = Projection_target_3<TriangleMesh>(mesh, vpm, shell.truncation()).traced_vertices();
       if(!truncated.truncate(*shell.truncation(), mesh, vpm, all)) return undone(Edit_status::NOT_IN_SHELL);
     }
     const bool is_truncated = truncated.is_truncated();
@@ -125,7 +110,7 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     if(is_truncated) result.offending_simplices = truncated.before(mesh, result.offending_simplices);
     if(!frozen.empty()) freeze_zero_edges(mesh, vpm, frozen);
     lap(result.check_seconds);
-    const bool freezes = choose_parameter(get_parameter(np, parameter_tags::freeze_rejected_facets), false);
+    const bool freezes = options.freezes_rejected_facets;
     CGAL_assertion(!freezes || proofs == Facet_proofs::ALL);
     if(!frozen.empty() && (!freezes || frozen.size() == faces(mesh).size()))
       return is_truncated ? undone(Edit_status::NOT_IN_SHELL) : Edit_status::NOT_IN_SHELL;
@@ -140,8 +125,8 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
     const Edit_status edited = edit(oracle, frozen, all);
     lap(result.edit_seconds);
     if(edited != Edit_status::SUCCESS) return undone(edited);
-    if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value)
-      for(auto e : edges(mesh)) result.constrained_edges += !frozen.closes(e) && get(edge_is_constrained, e) ? 1 : 0;
+    if(options.constraints.may_constrain())
+      for(auto e : edges(mesh)) result.constrained_edges += !frozen.closes(e) && get(options.constraints, e) ? 1 : 0;
 
     Offending_simplices others;
     bool are_others_accepted = true;
@@ -161,13 +146,12 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConst
                                && has_border_of_shell(mesh, vpm, shell));
     lap(result.certificate_seconds);
     if(!is_proved) return undone(Edit_status::NOT_CERTIFIED);
-    // Compiled only if requested.
-    if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters, parameter_tags::locate_vertices_t>::value)
-      if(get_parameter(np, parameter_tags::locate_vertices)) {
-        if(is_truncated) locate<ConcurrencyTag>(shell, traced, mesh, vpm, result);
-        else locate<ConcurrencyTag>(shell, before.points(), mesh, vpm, result);
-        lap(result.location_seconds);
-      }
+    if(options.locate) {
+      if(!is_truncated)
+        for(const auto& p : before.points()) traced.push_back({ p.x(), p.y(), p.z() });
+      options.locate(traced);
+      lap(result.location_seconds);
+    }
     return certified ? Edit_status::SUCCESS : Edit_status::PARTIALLY_EDITED;
   } catch(const Run::Ended&) {
     return undone(Edit_status::TIME_LIMIT_EXCEEDED);
@@ -187,24 +171,20 @@ inline bool is_shell_at_fault(const Certificate_report& report)
 // Edits a mesh like edit_and_certify(). If `may_repeat`, facets are proved only where they are doubtful, and the
 // certificate decides. If it fails, the edit is undone and repeated with all proofs, unless the shell is at fault. In
 // this case, the rollback must preserve external descriptors, and `edit` must be repeatable.
-template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap,
-          typename Field, typename Threshold, typename NamedParameters, typename Result, typename Edit>
-Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, EdgeIsConstrainedMap edge_is_constrained,
-                             const Bspline_shell_3<Field, Threshold>& shell, bool may_repeat, const NamedParameters& np,
-                             Result& result, const Edit& edit)
+template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename Field, typename Threshold,
+          typename Result, typename Edit>
+Edit_status edit_under_proof(TriangleMesh& mesh, VertexPointMap vpm, const Bspline_shell_3<Field, Threshold>& shell,
+                             bool may_repeat, const Edit_options<TriangleMesh>& options, Result& result,
+                             const Edit& edit)
 {
   const auto edited = [&](Facet_proofs proofs) {
-    return edit_and_certify<ConcurrencyTag>(mesh, vpm, edge_is_constrained, shell, proofs, np, result, edit);
+    return edit_and_certify<ConcurrencyTag>(mesh, vpm, shell, proofs, options, result, edit);
   };
-  const double max_seconds = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, internal_np::maximum_running_time), std::numeric_limits<double>::infinity());
-  result.invalid_parameter.check("time_limit", max_seconds, Parameter_bounds::positive_or_infinite());
+  result.invalid_parameter.check("time_limit", options.max_seconds, Parameter_bounds::positive_or_infinite());
   if(result.invalid_parameter) return Edit_status::INVALID_PARAMETER;
-  Run run(max_seconds);
+  Run run(options.max_seconds);
   const Run::Scope scope(&run);
-  const bool freezes = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, parameter_tags::freeze_rejected_facets), false);
-  if(!may_repeat || freezes || !is_restored_in_place(mesh)) return edited(Facet_proofs::ALL);
+  if(!may_repeat || options.freezes_rejected_facets || !is_restored_in_place(mesh)) return edited(Facet_proofs::ALL);
   const Result before = result;
   const Edit_status status = edited(Facet_proofs::WHERE_DOUBTFUL);
   if(status != Edit_status::NOT_CERTIFIED || is_shell_at_fault(result.certificate)) return status;

@@ -46,8 +46,8 @@ public:
     }
   }
 
-  // Calls f(cell) for every cell. Cells with a common function are never processed at the same time, and each entry is
-  // summed in an order that does not depend on the number of threads.
+  // Calls f(cell) for every cell. Cells with a common function are never processed at the same time. The order in which
+  // an entry is summed does not depend on the number of threads.
   template <typename ConcurrencyTag, typename Function>
   void for_each_cell(const Function& f) const
   {

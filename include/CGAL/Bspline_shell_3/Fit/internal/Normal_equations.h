@@ -25,9 +25,10 @@ namespace internal {
 
 // Assembles a symmetric matrix and a right-hand side for the coefficients at all points of all levels, from 64 x 64
 // matrices of cells. Coefficients of different levels are not coupled. The matrix stores its lower triangle: the column
-// of a point has rows for the points at lattice offsets that do not precede (0, 0, 0) in the order (k, j, i). Because
-// the points of an x-row are numbered consecutively, a column consists of 25 segments of consecutive rows, one for each
-// offset (dj, dk), and no search for indices is necessary. If points are chosen, the columns of other points are empty.
+// of a point has rows for the points at lattice offsets that do not precede (0, 0, 0) in the order (k, j, i). The
+// points of an x-row are numbered consecutively. A column therefore consists of 25 segments of consecutive rows, one
+// for each offset (dj, dk), and no search for indices is necessary. If points are chosen, the columns of other points
+// are empty.
 template <typename Field>
 class Normal_equations
 {

@@ -27,11 +27,11 @@ namespace internal {
 // Converts equations for the coefficients at all points to equations for the free coefficients, P^T A P and P^T b. The
 // matrix P computes all coefficients from the free coefficients.
 //
-// For each point near a dependent point, the row of A restricted to dependent points, times P, is a window of six
-// coefficients per side of the level above. It is computed one axis after the other. The window of a free point couples
-// it to that level, and is needed once. Windows of dependent points are added, with their weights, to the rows of the
-// coefficients on which they depend. All columns are computed independently. If points were chosen, rows and columns of
-// other free points are empty; all points that depend on a chosen point must also be chosen.
+// Take a point near a dependent point, restrict its row of A to dependent points, and multiply it by P. The result is a
+// window of six coefficients per side of the level above. It is computed one axis after the other. The window of a free
+// point couples it to that level, and is needed once. Windows of dependent points are added, with their weights, to the
+// rows of the coefficients on which they depend. All columns are computed independently. If points were chosen, rows
+// and columns of other free points are empty; all points that depend on a chosen point must also be chosen.
 template <typename Field>
 class Condensation
 {
@@ -167,8 +167,8 @@ private:
           window.entry[f * width * width + gh] += weight[2][k][f] * y[k * width * width + gh];
   }
 
-  // Calls same(row, di, dj, dk) for the rows of the point's level, and then above(row, entry of the window) for the
-  // rows of the level above, in ascending order.
+  // Calls same(row, di, dj, dk) for the rows of the point's level, and then above(row, entry of the window) for those
+  // of the level above, ascending.
   template <typename Same, typename Above>
   void visit_rows(int level, Index n, const Same& same, const Above& above) const
   {

@@ -83,7 +83,7 @@ inline Shell_status read_STL_text(Text_soup& result)
 }
 
 /*
- * Reads an STL file. CGAL's reader treats a text as binary unless it begins with "solid" and a space, treats a text
+ * Reads an STL file. CGAL's reader treats a text as binary unless it begins with "solid" and a space. It treats a text
  * shorter than a binary header as an empty mesh, and stops at "nan".
  */
 inline Shell_status read_STL(Text_soup& result)

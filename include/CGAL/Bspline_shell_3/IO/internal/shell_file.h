@@ -6,7 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_IO_INTERNAL_SHELL_FILE_H
 #define CGAL_BSPLINE_SHELL_3_IO_INTERNAL_SHELL_FILE_H
 
-#include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
+#include <CGAL/Bspline_shell_3/Cells/Lattice_set_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
 
@@ -19,8 +19,6 @@
 #include <cstdlib>
 #include <limits>
 #include <string_view>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -31,23 +29,10 @@ constexpr std::string_view binary_shell_magic = "BSHELL", ASCII_shell_magic = "c
 constexpr int shell_file_version = 5;
 constexpr int largest_file_level = 30; // highest cell level in a file; no hierarchy has so many levels
 
-// Type of the shell in a file.
-struct Shell_kind
-{
-  bool is_hierarchical = false; // cells of several levels
-  bool has_spline_thresholds = false;
-
-  template <typename Shell>
-  static constexpr Shell_kind of()
-  {
-    typedef std::decay_t<decltype(std::declval<const typename Shell::Field&>().cells())> Cells;
-    return { std::is_same<Cells, Cell_hierarchy_3>::value, !Shell::Threshold::is_constant };
-  }
-
-  std::string_view field_name() const { return is_hierarchical ? "hierarchical" : "uniform"; }
-  std::uint64_t number() const { return (is_hierarchical ? 1 : 0) + (has_spline_thresholds ? 2 : 0); }
-  bool operator==(const Shell_kind& o) const { return number() == o.number(); }
-};
+// The kind of the field, as a word and as a bit. Older versions of the package wrote another word, and no bit, if all
+// cells had one size.
+constexpr std::string_view kind_of_field = "hierarchical", older_kind_of_field = "uniform";
+constexpr std::uint64_t bit_of_field = 1, bit_of_spline_thresholds = 2;
 
 // Returns the coefficients of the field and, unless they are constant, of the inner and the outer threshold.
 template <typename Shell>

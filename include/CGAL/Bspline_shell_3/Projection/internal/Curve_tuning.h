@@ -27,11 +27,13 @@ struct Curve_tuning
   double shortest_step = 1e-12;
   // Gradient below which it is considered the cause of short steps, in ranges of f per width of the cell.
   double small_gradient = 1e-4;
-  // Number of times that a curve is traced again with shorter steps, the factor on estimated errors, the fraction of
-  // the tolerance to aim at, and the smallest tolerance of steps as a fraction of the tolerance. For the default
-  // tolerance, the last one corresponds to the rounding of coordinates.
+  // Number of times that a curve is traced again with shorter steps.
   int max_repetitions = 3;
-  double safety = 2, aim = 0.25, least_step_tolerance = 1e-5;
+  // Factor on estimated errors, and fraction of the tolerance to aim at.
+  double safety = 2, aim = 0.25;
+  // Smallest tolerance of steps, as a fraction of the tolerance. For the default tolerance, it corresponds to the
+  // rounding of coordinates.
+  double least_step_tolerance = 1e-5;
   // Largest number of facets on the walk along the mesh, and the factor on its steps. Facets are then near the ends of
   // steps, where cutting steps is cheap.
   int max_moves = 64;

@@ -92,7 +92,7 @@ double coordinate_rounding(const Shell& shell)
 // A step is taken with the polynomial of one cell, even if its stages lie outside the cell, and ends where the curve
 // leaves the cell. The integrand is thus analytic, and the order of the method is preserved, although the third
 // derivatives of the field jump between cells. A curve moves on to a neighbor only when it is beyond the face by
-// `slack` times the cell's width, so that a curve along a face does not alternate between cells. There, the two
+// `slack` times the cell's width. A curve along a face thus does not alternate between cells. Near the face, the two
 // polynomials agree up to second derivatives, and thus differ by about 1e-18 of the third derivatives.
 template <typename Shell, typename Velocity>
 class Integral_curve
@@ -325,9 +325,9 @@ private:
     }
     if(axis != -1) {
       cut(exit);
-      // Leaves the cell through the face, not through one of its edges, because points on edges belong to cells that
-      // the curve may not enter, or may leave immediately. If the cell beyond the face is not in the shell, tries the
-      // cell that contains the point.
+      // Leaves the cell through the face, not through one of its edges. Points on edges may belong to cells that the
+      // curve does not enter, or leaves immediately. If the cell beyond the face is not in the shell, tries the cell
+      // that contains the point.
       const std::array<double, 3> x = { m_end[0], m_end[1], m_end[2] };
       std::array<double, 3> beyond;
       for(int a = 0; a < 3; ++a)

@@ -16,8 +16,8 @@ namespace internal {
 
 // Divides leaves into tetrahedra. A leaf is divided into n^3 equal subcells, and each subcell into the cones from its
 // center over the triangles of its faces. A face with smaller leaves behind it is divided into the squares of their
-// subcells. Other squares are divided by a fan from the midpoint of the first of their edges that smaller leaves around
-// it bisect, or from their smallest corner if there is none. Triangles thus depend only on the square and the leaves
+// subcells. Other squares are divided by a fan. It starts at the midpoint of the first edge that smaller leaves around
+// it bisect or, if there is none, at the smallest corner. Triangles thus depend only on the square and the leaves
 // around it, and tetrahedra on both sides conform. Leaves that touch must differ by at most one level, as in graded
 // hierarchies.
 //

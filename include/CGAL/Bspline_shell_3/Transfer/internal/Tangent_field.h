@@ -96,7 +96,7 @@ public:
   }
 
   // Returns a field that is interpolated between vertices. The vector of a vertex is rotated into each facet by the
-  // smallest rotation from the vertex's normal, which is the mean of the facets' normals, weighted by angles.
+  // smallest rotation from the vertex's normal. This normal is the mean of the facets' normals, weighted by angles.
   // Components along the normal are lost. `vertices` contains the index of the vertex at each corner; corner i of facet
   // f has the index 3 f + i.
   static Tangent_field interpolated(const Projection_facets_3& facets, std::vector<Eigen::Vector3d> of_vertices,

@@ -3,19 +3,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_BSPLINE_SHELL_3_FIELD_INTERNAL_FIELD_EVALUATION_H
-#define CGAL_BSPLINE_SHELL_3_FIELD_INTERNAL_FIELD_EVALUATION_H
+#ifndef CGAL_BSPLINE_SHELL_3_FIELD_INTERNAL_TO_BERNSTEIN_H
+#define CGAL_BSPLINE_SHELL_3_FIELD_INTERNAL_TO_BERNSTEIN_H
 
 #include <CGAL/Bspline_shell_3/Spline/Cubic_bspline.h>
-#include <CGAL/Bspline_shell_3/Spline/Tricubic_cell_3.h>
 #include <CGAL/Bspline_shell_3/Spline/coefficient_lines.h>
-
-#include <Eigen/Core>
 
 #include <array>
 #include <limits>
-#include <optional>
-#include <type_traits>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -46,52 +41,8 @@ inline double conversion_radius(double largest_coefficient, bool has_dependent)
   return (has_dependent ? 37 : 10) * eps * largest_coefficient + (has_dependent ? 32 : 4) * least;
 }
 
-// Base class of all fields: types, and evaluation on the leaf that contains a point.
-template <typename Field, typename GeomTraits>
-class Field_evaluation
-{
-  static_assert(std::is_same<typename GeomTraits::FT, double>::value,
-                "GeomTraits must be a kernel with the number type double.");
-public:
-  typedef GeomTraits Geom_traits;
-  typedef typename GeomTraits::FT FT;
-  typedef typename GeomTraits::Point_3 Point_3;
-  typedef typename GeomTraits::Vector_3 Vector_3;
-  typedef Tricubic_cell_3 Cell;
-
-  /// \name Evaluation
-  /// Results are empty outside the domain.
-  /// @{
-  std::optional<FT> value(const Point_3& p) const
-  {
-    const auto c = field().locate(p);
-    if(c == Field::npos) return std::nullopt;
-    return field().cell(c).value(p);
-  }
-  std::optional<Vector_3> gradient(const Point_3& p) const
-  {
-    const auto c = field().locate(p);
-    if(c == Field::npos) return std::nullopt;
-    const Cell::First_order_jet jet = field().cell(c).first_order_jet(p);
-    return Vector_3(jet.gradient[0], jet.gradient[1], jet.gradient[2]);
-  }
-  std::optional<Eigen::Matrix3d> hessian(const Point_3& p) const
-  {
-    const auto c = field().locate(p);
-    if(c == Field::npos) return std::nullopt;
-    const auto& h = field().cell(c).second_order_jet(p).hessian;
-    Eigen::Matrix3d m;
-    m << h[0], h[3], h[4], h[3], h[1], h[5], h[4], h[5], h[2];
-    return m;
-  }
-  /// @}
-
-private:
-  const Field& field() const { return static_cast<const Field&>(*this); }
-};
-
 } // namespace internal
 } // namespace Bspline_shells
 } // namespace CGAL
 
-#endif // CGAL_BSPLINE_SHELL_3_FIELD_INTERNAL_FIELD_EVALUATION_H
+#endif // CGAL_BSPLINE_SHELL_3_FIELD_INTERNAL_TO_BERNSTEIN_H
