@@ -69,15 +69,14 @@ void check_shell(const Shell& shell, const Mesh& mesh)
   const double rounding = 1e-14 * shell.report().unit;
   bool in_levels = true, in_facet_ranges = true, bounded = true;
   BS::Level_range sampled;
-  for_each_point_on_mesh(mesh, shell.field().cells().lattice().spacing() / 10,
-                         [&](std::size_t facet, const Point_3& p) {
-                           const double f = shell.field().value(p).value();
-                           sampled.include(f);
-                           in_levels = in_levels && f >= shell.inner_level() && f <= shell.outer_level();
-                           const BS::Level_range& range = shell.facet_ranges()[facet];
-                           in_facet_ranges = in_facet_ranges && f >= range.min - rounding && f <= range.max + rounding;
-                           bounded = bounded && shell.bounded_side(p) != CGAL::ON_UNBOUNDED_SIDE;
-                         });
+  for_each_point_on_mesh(mesh, shell.field().cells().level_width(0) / 10, [&](std::size_t facet, const Point_3& p) {
+    const double f = shell.field().value(p).value();
+    sampled.include(f);
+    in_levels = in_levels && f >= shell.inner_level() && f <= shell.outer_level();
+    const BS::Level_range& range = shell.facet_ranges()[facet];
+    in_facet_ranges = in_facet_ranges && f >= range.min - rounding && f <= range.max + rounding;
+    bounded = bounded && shell.bounded_side(p) != CGAL::ON_UNBOUNDED_SIDE;
+  });
   CHECK(in_levels);
   CHECK(in_facet_ranges);
   CHECK(bounded);

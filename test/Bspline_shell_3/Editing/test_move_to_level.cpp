@@ -45,7 +45,6 @@ TEST_CASE("Mean level: no point is returned if one of the points is outside the 
 TEST_CASE("Mean level: no point is returned if the gradient is zero")
 {
   const Field field = uniform_field(squared_distance);
-  CHECK_FALSE(internal::move_to_mean_level(CGAL::Bspline_shells::Hierarchical_bspline_field_3<>(field),
-                                           Point_3(0, 0, 0), Point_3(0.6, 0, 0), Point_3(0, 0, -0.8)));
+  CHECK_FALSE(internal::move_to_mean_level(field, Point_3(0, 0, 0), Point_3(0.6, 0, 0), Point_3(0, 0, -0.8)));
 }
 } // namespace test_move_to_level
