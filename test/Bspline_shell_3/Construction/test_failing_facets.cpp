@@ -19,7 +19,7 @@ namespace {
 struct In_rising_field
 {
   BS::Input_mesh_3 input = input_of(sphere(2, 0.5));
-  Hierarchical_field field = hierarchical_field({ { 1, { 0, 0, 1 } }, { 1, { 0, 0, 3 } } });
+  Field field = hierarchical_field({ { 1, { 0, 0, 1 } }, { 1, { 0, 0, 3 } } });
 
   bool faces_up(std::size_t facet) const
   {
