@@ -1,4 +1,4 @@
-// Meshes as input, even if they have singular vertices or intersect themselves.
+// Meshes as input, even if they have singular vertices or, unless this is excluded, intersect themselves.
 #ifndef INPUT_OF_MESH_H
 #define INPUT_OF_MESH_H
 
@@ -6,10 +6,11 @@
 
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 
-inline CGAL::Bspline_shells::Input_mesh_3 input_of(const Mesh& mesh)
+inline CGAL::Bspline_shells::Input_mesh_3 input_of(const Mesh& mesh, bool may_intersect_itself = true)
 {
   CGAL::Bspline_shells::Input_mesh_3::Tolerated_defects tolerated;
-  tolerated.singular_vertices = tolerated.self_intersections = true;
+  tolerated.singular_vertices = true;
+  tolerated.self_intersections = may_intersect_itself;
   CGAL::Bspline_shells::Input_mesh_3 input;
   REQUIRE(input.build<CGAL::Sequential_tag>(mesh, mesh.points(), tolerated)
           == CGAL::Bspline_shells::Shell_status::SUCCESS);

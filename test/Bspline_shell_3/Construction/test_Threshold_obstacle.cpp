@@ -58,7 +58,8 @@ TEST_CASE("Threshold obstacles: each cell of the obstacles is listed once")
         == std::vector<Index>{ 3, 7 });
 }
 
-TEST_CASE("Culprits: a culprit shares a function with the obstacle's cell, and its range is too large on that side")
+TEST_CASE("Causing cells: they share a function with the cell of the obstacle, and the range of the field is too large "
+          "on its side")
 {
   CGAL::Random random(3);
   const Field equal{ Hierarchy(cells()) };
@@ -93,7 +94,7 @@ TEST_CASE("Culprits: a culprit shares a function with the obstacle's cell, and i
   }
 }
 
-TEST_CASE("Culprits: the obstacle's own cell is the culprit if no range is too large, or the obstacle is at the mesh")
+TEST_CASE("Causing cells: the cell of the obstacle itself, if no range is too large or the obstacle is at the mesh")
 {
   const Field field{ Hierarchy(cells()) };
   std::vector<BS::Level_range> ranges(field.number_of_cells(), BS::Level_range{ -0.1, 0.3 });
@@ -104,7 +105,7 @@ TEST_CASE("Culprits: the obstacle's own cell is the culprit if no range is too l
         == std::vector<Index>{ 5, 9 });
 }
 
-TEST_CASE("Culprits: the result does not depend on the number of threads")
+TEST_CASE("Causing cells: the result does not depend on the number of threads")
 {
   CGAL::Random random(5);
   const Field field(random_hierarchy(random, cells(), 3, 2));

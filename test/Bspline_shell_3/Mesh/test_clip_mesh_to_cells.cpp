@@ -215,7 +215,7 @@ BS::Lattice_3 lattice_around(const BS::Input_mesh_3& input, double spacing, cons
 
 void check_clip(const Mesh& mesh, double spacing, const Point_3& lattice_center = CGAL::ORIGIN, bool with_edges = true)
 {
-  const BS::Input_mesh_3 input = input_of(mesh);
+  const BS::Input_mesh_3 input = input_of(mesh, false);
   const BS::Lattice_3 lattice = lattice_around(input, spacing, lattice_center);
   const Root_cells cells = cells_of(input, lattice);
   check_pieces(input, cells, with_edges);
@@ -244,7 +244,7 @@ Hierarchy refined_at_mesh(const BS::Input_mesh_3& input, const Root_cells& roots
 void check_clip_to_leaves(const Mesh& mesh, double spacing, const Point_3& lattice_center = CGAL::ORIGIN,
                           bool with_edges = true)
 {
-  const BS::Input_mesh_3 input = input_of(mesh);
+  const BS::Input_mesh_3 input = input_of(mesh, false);
   const BS::Lattice_3 lattice = lattice_around(input, spacing, lattice_center);
   const Root_cells roots(lattice, BS::dilate(BS::cells_entered_by_mesh<Tag>(input, lattice), -1, 1));
   const Hierarchy cells = refined_at_mesh(input, roots, 7, 3);
@@ -305,7 +305,7 @@ TEST_CASE("Clipped mesh: pieces lie in their cells and facets, and their areas a
 TEST_CASE("Cells near a mesh: all cells near samples are found, and each has a part of the mesh in its enlarged box")
 {
   for(int subdivisions : { 0, 3 }) { // subdivisions of an icosahedron
-    const BS::Input_mesh_3 input = input_of(sphere(subdivisions));
+    const BS::Input_mesh_3 input = input_of(sphere(subdivisions), false);
     const BS::Lattice_3 lattice = lattice_around(input, 0.21, Point_3(0.01, 0.02, -0.03));
     const Root_cells entered = cells_of(input, lattice);
     const std::vector<std::uint64_t> entered_keys = BS::cells_entered_by_mesh<Tag>(input, lattice);
@@ -351,7 +351,7 @@ TEST_CASE("Cells near a mesh: all cells near samples are found, and each has a p
 TEST_CASE("Cells near a mesh: both sides are treated alike, even just beyond the distance")
 {
   // The sides of a cube are between lattice planes; cells have width one.
-  const BS::Input_mesh_3 input = input_of(box(Point_3(0.25, 0.25, 0.25), Point_3(1.75, 1.75, 1.75)));
+  const BS::Input_mesh_3 input = input_of(box(Point_3(0.25, 0.25, 0.25), Point_3(1.75, 1.75, 1.75)), false);
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-4, -4, -4, 6, 6, 6), 1);
   REQUIRE(lattice.spacing() == 1);
   REQUIRE(lattice.coordinate(0, lattice.interval(0, 0.5)) == 0);
@@ -390,7 +390,7 @@ TEST_CASE("Clipped mesh: cuts do not overshoot the ends of an edge that lie on a
     if(CGAL::orientation(v[0], v[1], v[2], v[3]) == CGAL::NEGATIVE) std::swap(v[2], v[3]);
     CGAL::make_tetrahedron(v[0], v[1], v[2], v[3], mesh);
   }
-  const BS::Input_mesh_3 input = input_of(mesh);
+  const BS::Input_mesh_3 input = input_of(mesh, false);
   const Root_cells roots = cells_of(input, lattice);
   const auto outside = [&](const Hierarchy& cells) {
     const Clipped clipped = BS::clip_mesh_to_cells<Tag>(input, cells);
@@ -411,7 +411,7 @@ TEST_CASE("Clipped mesh: cuts do not overshoot the ends of an edge that lie on a
 TEST_CASE("Clipped mesh: the checks of these tests detect planted errors")
 {
   // Without this test, the tests above would prove nothing.
-  const BS::Input_mesh_3 input = input_of(sphere(0));
+  const BS::Input_mesh_3 input = input_of(sphere(0), false);
   const BS::Lattice_3 lattice(input.bbox(), 0.31), wrong_lattice(input.bbox(), 0.3);
   const std::vector<std::uint64_t> keys = BS::cells_entered_by_mesh<Tag>(input, lattice);
   const Root_cells cells(lattice, keys), wrong_cells(wrong_lattice, keys);
@@ -457,7 +457,7 @@ TEST_CASE("Clipped mesh: a facet between two cells belongs to the one behind it"
     CHECK(area == Approx(expected_area).epsilon(1e-14)); // each part is counted once
     return std::make_pair(clipped.number_of_pieces(), in_plane);
   };
-  const BS::Input_mesh_3 input = input_of(box(Point_3(-.5, -.5, -.5), Point_3(.5, .5, .75)));
+  const BS::Input_mesh_3 input = input_of(box(Point_3(-.5, -.5, -.5), Point_3(.5, .5, .75)), false);
   const Root_cells roots(quarters, BS::dilate(BS::cells_entered_by_mesh<Tag>(input, quarters), -2, 2));
   // Sides of 4 x 4 cells have 16 + 4 pieces, as the diagonal passes through 4 cells. Sides of 4 x 5 cells have 20 + 8
   // pieces, as it passes through 4 + 5 - 1.
@@ -480,7 +480,7 @@ TEST_CASE("Clipped mesh: a facet between two cells belongs to the one behind it"
   CHECK(between > 10);
 
   // The sides pass through the middles of root cells, and thus between the leaves of split cells.
-  const BS::Input_mesh_3 other = input_of(box(Point_3(-.375, -.375, -.375), Point_3(.375, .375, .625)));
+  const BS::Input_mesh_3 other = input_of(box(Point_3(-.375, -.375, -.375), Point_3(.375, .375, .625)), false);
   const Root_cells other_roots(quarters, BS::dilate(BS::cells_entered_by_mesh<Tag>(other, quarters), -2, 2));
   CHECK(check(other, other_roots, 6 * 0.5625 + 3 * 0.25).second == 0);
   CHECK(check(other, refined_at_mesh(other, other_roots, 10, 3), 6 * 0.5625 + 3 * 0.25).second > 100);
@@ -515,7 +515,7 @@ TEST_CASE("Clipped mesh: on a hierarchy, pieces lie in their leaves and facets, 
 
 TEST_CASE("Clipped mesh: leaves of one size yield the same pieces as cells of a finer lattice")
 {
-  const BS::Input_mesh_3 input = input_of(sphere(1));
+  const BS::Input_mesh_3 input = input_of(sphere(1), false);
   const BS::Lattice_3 lattice(CGAL::Bbox_3(-1.1, -1.1, -1.1, 1.1, 1.1, 1.1), 0.4),
     fine(CGAL::Bbox_3(-1.1, -1.1, -1.1, 1.1, 1.1, 1.1), 0.2);
   REQUIRE(lattice.spacing() == 2 * fine.spacing());
@@ -544,7 +544,7 @@ TEST_CASE("Clipped mesh: cells that are only touched get no piece")
 {
   // The planes at multiples of 1/4 divide the facet in x + y + z = 1 into 16 triangles, all with corners at lattice
   // points.
-  const BS::Input_mesh_3 input = input_of(octahedron(1));
+  const BS::Input_mesh_3 input = input_of(octahedron(1), false);
   const Clipped clipped = BS::clip_mesh_to_cells<Tag>(input, cells_of(input, quarters));
   CHECK(clipped.number_of_pieces() == 8 * 16);
   for(const Clipped::Piece& piece : clipped.pieces()) {
@@ -555,7 +555,7 @@ TEST_CASE("Clipped mesh: cells that are only touched get no piece")
 
 TEST_CASE("Clipped mesh: the result does not depend on the number of threads")
 {
-  const BS::Input_mesh_3 input = input_of(sphere(3)); // enough for several chunks of facets
+  const BS::Input_mesh_3 input = input_of(sphere(3), false); // enough for several chunks of facets
   const auto check = [&](const auto& cells) {
     CHECK(number_of_differences(BS::clip_mesh_to_cells<Tag>(input, cells),
                                 BS::clip_mesh_to_cells<CGAL::Parallel_if_available_tag>(input, cells))
@@ -571,7 +571,7 @@ TEST_CASE("Clipped mesh: the number of pieces is estimated within a factor of tw
   // For random positions, the expected number of pieces of a facet with unit normal n is 1 + (sum of its widths) +
   // |n|_1 area, in cell units. The sum of the widths is estimated by half the perimeter, its lower bound; its upper
   // bound is sqrt(3)/2 of the perimeter.
-  const BS::Input_mesh_3 input = input_of(sphere(2));
+  const BS::Input_mesh_3 input = input_of(sphere(2), false);
   for(double spacing : { 0.03, 0.1, 0.3, 1. }) {
     const BS::Lattice_3 lattice(CGAL::Bbox_3(-1.003, -1.013, -1.027, 1, 1, 1), spacing);
     const double pieces = double(BS::clip_mesh_to_cells<Tag>(input, cells_of(input, lattice)).number_of_pieces());
