@@ -181,11 +181,6 @@ struct Exact_box
   std::array<Rational, 64> b;
 };
 
-Rational dot(const Exact_point& u, const Exact_point& v)
-{
-  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
-
 // Returns whether one of 27 points of a box is in the shell and at the end of the domain: in some direction out of the
 // box, there is no cell next to the point.
 template <typename IsInShell>

@@ -386,7 +386,6 @@ TEST_CASE("Shell files: leaves that are not a graded hierarchy are rejected, eve
     text.check(line, [&](Lines& l) { l[2] = line; });
 
   // The hierarchy lacks the rings around a split cell: the first root cell is split twice, but not its neighbors.
-  typedef CGAL::Bspline_shell_3<BS::Hierarchical_bspline_field_3<> > Levels_shell;
   Lines lines = { "cubic_bspline_shell 5 ascii",
                   "unit 1",
                   "levels -1 1",

@@ -65,12 +65,6 @@ inline Mesh::Vertex_index vertex_at(const Mesh& mesh, const Point_3& p)
   return Mesh::null_vertex();
 }
 
-inline Mesh reversed(Mesh mesh)
-{
-  CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
-  return mesh;
-}
-
 inline Mesh both(Mesh a, const Mesh& b)
 {
   CGAL::copy_face_graph(b, a);

@@ -436,7 +436,7 @@ TEST_CASE("Clipped mesh: the checks of these tests detect planted errors")
 
 TEST_CASE("Clipped mesh: a facet between two cells belongs to the one behind it")
 {
-  const auto check = [](const BS::Input_mesh_3& input, const auto& cells, double expected_area) {
+  const auto check = [](const BS::Input_mesh_3& input, const Hierarchy& cells, double expected_area) {
     const Clipped clipped = BS::clip_mesh_to_cells<Tag>(input, cells);
     std::size_t in_plane = 0, wrong = 0;
     double area = 0;

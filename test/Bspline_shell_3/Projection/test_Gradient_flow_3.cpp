@@ -391,8 +391,8 @@ TEST_CASE("Gradient flow: a point that cannot be moved has a status with the rea
   Field field = uniform_field({ { 1, { 1, 0, 0 } } });
   std::vector<char> cells(field.number_of_cells(), 1);
   for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c) cells[c] = field.cell(c).corner()[0] < 0.5;
-  const Uniform_shell part(field, BS::Level_range{ -2, 2 }, cells, {}, successful_report(2));
-  const BS::Gradient_flow_3<Uniform_shell> partly(part);
+  const Shell part(field, BS::Level_range{ -2, 2 }, cells, {}, successful_report(2));
+  const BS::Gradient_flow_3<Shell> partly(part);
   CHECK(partly.trace(Vector(0.1, 0.1, 0.1), 0.4).status == Flow_status::SUCCESS);
   CHECK(partly.trace(Vector(0.1, 0.1, 0.1), 0.7).status == Flow_status::LEAVES_SHELL);
   CHECK(partly.trace(Vector(0.7, 0.1, 0.1), 0.6).status == Flow_status::STARTS_OUTSIDE);

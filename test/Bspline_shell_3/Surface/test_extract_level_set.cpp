@@ -31,8 +31,6 @@ using CGAL::Bspline_shells::Level_set_status;
 using CGAL::Bspline_shells::extract_level_set;
 
 typedef CGAL::Bspline_shells::Hierarchical_bspline_field_3<Kernel> Field;
-typedef CGAL::Bspline_shells::Hierarchical_bspline_field_3<Kernel> Hierarchical_field;
-typedef CGAL::Bspline_shells::Cell_complex_3 Cells;
 typedef CGAL::Bspline_shells::Lattice_3 Lattice;
 
 const double pi = 3.14159265358979323846;
@@ -50,13 +48,6 @@ Field make_field(int size, double width, const Coefficient& coefficient, const P
   return field;
 }
 
-// Returns a field on equal cells; `coefficient` is a function of the point, relative to the center.
-template <typename Coefficient>
-Field make_field(int size, double width, const Coefficient& coefficient, const Point_3& center = CGAL::ORIGIN)
-{
-  return make_field(cube(size, width, center), [&](const Vector_3& g, double) { return coefficient(g); });
-}
-
 // Returns |x|^2, which cubic splines reproduce.
 Field squared_norm(int size, double width, const Point_3& center = CGAL::ORIGIN)
 {
@@ -71,7 +62,7 @@ Field make_hierarchical_field(unsigned seed, int size, double width, int levels,
   CGAL::Random random(seed);
   const Lattice lattice(Point_3(0, 0, 0).bbox(), width);
   REQUIRE(lattice.spacing() == width);
-  Hierarchical_field field(
+  Field field(
     random_hierarchy(random, all_cells(lattice, { -size, -size, -size }, { size - 1, size - 1, size - 1 }), levels));
   REQUIRE(field.number_of_levels() == levels);
   set_coefficients(field, [&](const Point_3& p, double h) { return coefficient(p - CGAL::ORIGIN, h); });
@@ -380,7 +371,7 @@ TEST_CASE("Level set: on cells of different sizes, selected cells must contain t
   const Field::Cell_index last = field.locate(Point_3(0.7, 0.7, 0.1));
   std::vector<char> passed(field.number_of_cells(), 0);
   std::size_t rejected = 0, all = 0;
-  for(Hierarchical_field::Cell_index c = 0; c < field.number_of_cells(); ++c) {
+  for(Field::Cell_index c = 0; c < field.number_of_cells(); ++c) {
     const auto range = field.cell(c).coefficient_range();
     if(range.first > 0.98 || range.second < 0.98) continue;
     const CGAL::Bbox_3 box = field.cell(c).bbox();
