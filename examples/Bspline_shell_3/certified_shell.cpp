@@ -44,7 +44,7 @@ int main(int argc, char** argv)
             << 100 * report.narrowed_area << " % of the mesh area\n";
   if(report.limit.resource != BS::Refinement_resource::NONE) std::cout << message(report.limit) << "\n";
   for(std::size_t n = 0; n < (std::min)(report.obstacles.size(), std::size_t(5)); ++n)
-    std::cout << message(report.obstacles[n], report.unit) << "\n";
+    std::cout << message(report.obstacles[n], report.unit, report.refinement) << "\n";
   if(!shell.is_certified())
     std::cout << report.certificate.total_number_of_witnesses() << " witnesses, " << report.certificate.witnesses.size()
               << " of them listed:\n";

@@ -390,7 +390,7 @@ TEST_CASE("Clipped mesh: cuts do not overshoot the ends of an edge that lie on a
     if(CGAL::orientation(v[0], v[1], v[2], v[3]) == CGAL::NEGATIVE) std::swap(v[2], v[3]);
     CGAL::make_tetrahedron(v[0], v[1], v[2], v[3], mesh);
   }
-  const BS::Input_mesh_3 input = input_of(mesh, false);
+  const BS::Input_mesh_3 input = input_of(mesh);
   const Root_cells roots = cells_of(input, lattice);
   const auto outside = [&](const Hierarchy& cells) {
     const Clipped clipped = BS::clip_mesh_to_cells<Tag>(input, cells);
