@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <type_traits>
 
 namespace CGAL {
@@ -39,10 +40,13 @@ public:
   typedef boost::read_write_property_map_tag category;
 
   Edge_constraints() = default; // no edge is constrained
+  // All copies share one copy of the map.
   template <typename Map>
-  explicit Edge_constraints(Map map) : m_get([map](key_type e) { return bool(get(map, e)); })
+  explicit Edge_constraints(const Map& map)
   {
-    if constexpr(is_writable_map<Map>) m_put = [map](key_type e, bool value) mutable { put(map, e, value); };
+    const auto shared = std::make_shared<Map>(map);
+    m_get = [shared](key_type e) { return bool(get(*shared, e)); };
+    if constexpr(is_writable_map<Map>) m_put = [shared](key_type e, bool value) { put(*shared, e, value); };
   }
 
   bool may_constrain() const { return bool(m_get); }
