@@ -7,8 +7,10 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <unordered_map>
+#include <vector>
 
 namespace test_Mesh_with_origins {
 
@@ -137,5 +139,23 @@ TEST_CASE("Input mesh: points are taken from the vertex point map")
   Input_mesh_3 input;
   REQUIRE(input.build<CGAL::Sequential_tag>(mesh, boost::make_assoc_property_map(points), {}) == Status::SUCCESS);
   CHECK(input.bbox() == CGAL::Bbox_3(0, 0, -5, 2, 1, -4));
+}
+
+TEST_CASE("Input mesh: a failed check rejects the mesh, even if no element is to blame")
+{
+  CGAL::Bspline_shells::Mesh_with_origins mesh;
+  mesh.user_facets = mesh.user_vertices = 10;
+  for(Status status : { Status::NOT_CLOSABLE, Status::NOT_TRUNCATABLE, Status::OPEN_MESH }) {
+    CHECK(mesh.refuse_facets(status, {}).status == status);
+    CHECK(mesh.refuse_vertices(status, {}).status == status);
+    CHECK_FALSE(mesh.refuse_facets_if_any(status, {}));
+    CHECK_FALSE(mesh.refuse_vertices_if_any(status, {}));
+    CHECK(mesh.refuse_facets_if_any(status, { 3 }).offending_simplices.facets == std::vector<std::size_t>{ 3 });
+  }
+  // The others are discs, as there is no closing.
+  CHECK(mesh.refuse_facets(Status::DEGENERATE_FACET, { 10, 11 }).status == Status::NOT_TRUNCATABLE);
+  const CGAL::Bspline_shells::Mesh_refusal refusal = mesh.refuse_vertices(Status::SINGULAR_VERTEX, { 11, 4, 4 });
+  CHECK(refusal.status == Status::SINGULAR_VERTEX);
+  CHECK(refusal.offending_simplices.vertices == std::vector<std::size_t>{ 4 });
 }
 } // namespace test_Mesh_with_origins

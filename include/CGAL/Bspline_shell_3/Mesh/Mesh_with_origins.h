@@ -85,9 +85,8 @@ struct Mesh_with_origins
   }
 
   /// \name Refusals
-  /// The mesh is rejected because of its facets or vertices with these origins, or accepted if there are none. Only
-  /// elements of the user's mesh are listed. If there are none of these, the status is `NOT_CLOSABLE` or
-  /// `NOT_TRUNCATABLE`.
+  /// The mesh is rejected because of its facets or vertices with these origins. Only elements of the user's mesh are
+  /// listed. If all elements are of the closing or of discs, the status is `NOT_CLOSABLE` or `NOT_TRUNCATABLE`.
   /// @{
   Mesh_refusal refuse_facets(Shell_status status, std::vector<std::size_t> origins) const
   {
@@ -100,6 +99,15 @@ struct Mesh_with_origins
                               closing ? closing->points().size() - closing->number_of_border_points() : 0);
     return { status, { {}, std::move(origins) } };
   }
+  // These functions accept the mesh if there are no origins.
+  Mesh_refusal refuse_facets_if_any(Shell_status status, std::vector<std::size_t> origins) const
+  {
+    return origins.empty() ? Mesh_refusal() : refuse_facets(status, std::move(origins));
+  }
+  Mesh_refusal refuse_vertices_if_any(Shell_status status, std::vector<std::size_t> origins) const
+  {
+    return origins.empty() ? Mesh_refusal() : refuse_vertices(status, std::move(origins));
+  }
   /// @}
 
 private:
@@ -111,7 +119,7 @@ private:
   static Shell_status restrict_to_user(Shell_status status, std::vector<std::size_t>& origins, std::size_t of_user,
                                        std::size_t of_closing)
   {
-    if(origins.empty()) return Shell_status::SUCCESS;
+    if(origins.empty()) return status;
     sort_unique(origins);
     const Surface_part first = part(origins.front(), of_user, of_closing);
     origins.erase(std::lower_bound(origins.begin(), origins.end(), of_user), origins.end());

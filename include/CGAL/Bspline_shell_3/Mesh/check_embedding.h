@@ -33,7 +33,7 @@ Mesh_refusal check_intersections(Mesh_with_origins& m)
     found.push_back(f);
     found.push_back(g);
   }
-  return facets.empty() ? m.refuse_facets(Shell_status::NOT_CLOSABLE, std::move(with_closing))
+  return facets.empty() ? m.refuse_facets_if_any(Shell_status::NOT_CLOSABLE, std::move(with_closing))
                         : m.refuse_facets(Shell_status::SELF_INTERSECTION, std::move(facets));
 }
 
@@ -42,7 +42,7 @@ template <typename ConcurrencyTag>
 Mesh_refusal check_vertices(const Mesh_with_origins& m)
 {
   constexpr std::size_t chunk = 1024;
-  return m.refuse_vertices(
+  return m.refuse_vertices_if_any(
     Shell_status::SINGULAR_VERTEX,
     collect_from_chunks<ConcurrencyTag, std::size_t>(
       m.mesh.number_of_vertices(), chunk, [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& found) {

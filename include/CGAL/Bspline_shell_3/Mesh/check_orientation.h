@@ -119,7 +119,7 @@ Mesh_refusal check_nesting(const Mesh_with_origins& m, const Components& compone
     std::vector<std::size_t> facets;
     for(std::size_t c = 0; c < size; ++c)
       if(is_wrong(c)) facets.push_back(components.first_facet[c]);
-    return m.refuse_facets(status, std::move(facets));
+    return m.refuse_facets_if_any(status, std::move(facets));
   };
   const Mesh_refusal unknown = refused_if(Shell_status::DEGENERATE_FACET, [&](std::size_t c) { return !is_known[c]; });
   if(unknown) return unknown;

@@ -54,14 +54,14 @@ inline Mesh_refusal check_fans(const Mesh_with_origins& m)
   Polygon_mesh_processing::non_manifold_vertices(m.mesh, std::back_inserter(pinched));
   std::vector<std::size_t> vertices; // one halfedge per fan
   for(auto h : pinched) vertices.push_back(m.vertex_origin[m.mesh.target(h)]);
-  return m.refuse_vertices(Shell_status::NON_MANIFOLD, std::move(vertices));
+  return m.refuse_vertices_if_any(Shell_status::NON_MANIFOLD, std::move(vertices));
 }
 
 template <typename ConcurrencyTag>
 Mesh_refusal check_areas(const Mesh_with_origins& m)
 {
   constexpr std::size_t chunk = 4096;
-  return m.refuse_facets(
+  return m.refuse_facets_if_any(
     Shell_status::DEGENERATE_FACET,
     collect_from_chunks<ConcurrencyTag, std::size_t>(
       m.mesh.number_of_faces(), chunk, [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& found) {
@@ -99,7 +99,7 @@ inline Mesh_refusal triangulate_facets(Mesh_with_origins& m)
     if(!CGAL::is_triangle(m.mesh.halfedge(f), m.mesh) && !triangulate_facet(f, m))
       degenerate.push_back(m.facet_origin[f]);
   }
-  return m.refuse_facets(Shell_status::DEGENERATE_FACET, std::move(degenerate));
+  return m.refuse_facets_if_any(Shell_status::DEGENERATE_FACET, std::move(degenerate));
 }
 
 // Triangulates the facets of a copied mesh. The mesh is accepted if its facets have positive areas, its vertices have
@@ -108,7 +108,7 @@ template <typename ConcurrencyTag>
 Mesh_refusal validate_mesh(Mesh_with_origins& m, bool may_be_open)
 {
   Mesh_refusal refusal = check_range(m);
-  if(!refusal && !may_be_open) refusal = m.refuse_facets(Shell_status::OPEN_MESH, facets_at_border(m));
+  if(!refusal && !may_be_open) refusal = m.refuse_facets_if_any(Shell_status::OPEN_MESH, facets_at_border(m));
   if(!refusal) refusal = check_fans(m);
   if(!refusal) refusal = triangulate_facets(m);
   if(!refusal) refusal = check_areas<ConcurrencyTag>(m);
