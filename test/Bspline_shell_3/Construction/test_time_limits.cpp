@@ -234,4 +234,26 @@ TEST_CASE("Time limit: an edit that ends at any poll leaves the mesh unchanged")
     });
   }
 }
+
+TEST_CASE("Time limit: remeshing polls before each operation")
+{
+  struct Visitor
+  {
+    bool start_iteration(unsigned int) { return true; }
+    bool go_on() { return ++operations > 0; }
+    std::size_t operations = 0;
+  } visitor;
+  const std::size_t most_operations = 200;
+  BS::internal::Run run(long_time, [&] { return visitor.operations < most_operations; });
+  const BS::internal::Run::Scope scope(&run);
+  const Mesh before = sphere(2);
+  Mesh mesh = before;
+  const Shell shell = CGAL::certified_bspline_shell_3(before, parameters::relative_thickness(0.05));
+  REQUIRE(visitor.operations == 0);
+  const auto result = BS::remesh_in_shell<CGAL::Sequential_tag>(mesh, 0.1, shell,
+                                                                parameters::visitor(std::ref(visitor)));
+  CHECK(result.status == BS::Edit_status::TIME_LIMIT_EXCEEDED);
+  CHECK(visitor.operations == most_operations);
+  CHECK(are_equal(mesh, before));
+}
 } // namespace test_time_limits

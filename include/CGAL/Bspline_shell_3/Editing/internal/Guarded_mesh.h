@@ -12,6 +12,7 @@
 #include <CGAL/Bspline_shell_3/Editing/internal/Frozen_facets.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Remeshing_options.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Vertex_images.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/Kernel/global_functions.h>
@@ -79,10 +80,12 @@ public:
   {}
 
   // Once the edit is ended, by the caller or by the option `go_on`, go_on() returns false, and no operation may follow.
+  // Throws Run::Ended if the run has ended.
   void end() { m_goes_on = false; }
   bool has_ended() const { return !m_goes_on; }
   bool go_on()
   {
+    Run::poll();
     m_goes_on = m_goes_on && m_options.go_on();
     return m_goes_on;
   }
