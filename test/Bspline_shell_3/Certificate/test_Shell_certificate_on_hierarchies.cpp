@@ -182,7 +182,7 @@ Shell shell_with_cover(const Field& field, const Certificate& certificate, doubl
   report.certificate.verdicts[std::size_t(Claim::DEGREE_ONE)] = Verdict::UNDECIDED;
   Shell shell(field, BS::Level_range{ inner_level, outer_level }, std::vector<char>(field.number_of_cells(), 1), {},
               report);
-  shell.set_proved_cover(certificate.cover()->boxes());
+  BS::internal::Shell_access::set_proved_cover(shell, certificate.cover()->boxes());
   return shell;
 }
 

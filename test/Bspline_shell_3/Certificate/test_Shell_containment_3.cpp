@@ -119,7 +119,7 @@ TEST_CASE("Containment: all points of a contained segment are contained, even if
   const CGAL::Bspline_shell_3<Field> without_cover(field, levels, cells_of_cover(boxes, field.number_of_cells()), {},
                                                    successful_report(2, certificate.report()));
   CGAL::Bspline_shell_3<Field> with_cover(without_cover);
-  with_cover.set_proved_cover(boxes);
+  BS::internal::Shell_access::set_proved_cover(with_cover, boxes);
 
   const auto at = [&](double theta, double phi) {
     return Point_3(outer * std::cos(theta) * std::cos(phi), outer * std::sin(theta) * std::cos(phi),
@@ -155,7 +155,7 @@ TEST_CASE("Containment: points on a level are contained, but segments and triang
                                           without_cover.shell_cells(), {}, report);
   BS::Shell_cover_3<Field> cover(with_cover.field(), with_cover.inner_threshold(), with_cover.outer_threshold());
   REQUIRE(cover.flood<CGAL::Sequential_tag>(Point_3(0.1, 0.1, 0.3), 0) == 0);
-  with_cover.set_proved_cover(cover.boxes());
+  BS::internal::Shell_access::set_proved_cover(with_cover, cover.boxes());
   for(const auto* shell : { &without_cover, &std::as_const(with_cover) }) {
     const BS::Shell_containment_3<Field> contains(*shell);
     for(double x : { -0.7, 0., 0.1, 0.5 }) {

@@ -58,7 +58,7 @@ Shell shell_of(const Mesh& mesh)
   const std::vector<BS::Cover_box>& boxes = certificate.cover()->boxes();
   Shell shell(two_spheres(), levels, cells_of_cover(boxes, two_spheres().number_of_cells()), {},
               successful_report(2 * large_radius, certificate.report()));
-  shell.set_proved_cover(boxes);
+  BS::internal::Shell_access::set_proved_cover(shell, boxes);
   return shell;
 }
 
@@ -216,7 +216,7 @@ TEST_CASE("Components: a component whose paths are all degenerate is identified 
       path.target = { v.x(), v.y(), v.z() + 0.1 };
     }
   Shell degenerate(shell.field(), BS::Level_range{ -0.09, 0.09 }, shell.shell_cells(), {}, report);
-  degenerate.set_proved_cover(*shell.proved_cover());
+  BS::internal::Shell_access::set_proved_cover(degenerate, *shell.proved_cover());
   REQUIRE(degenerate.is_certified());
   CHECK(BS::Shell_map_3(degenerate, mesh, mesh).status() == BS::Flow_status::SUCCESS);
   const Mesh one = small_sphere();

@@ -127,7 +127,7 @@ TEST_CASE("Edit under proof: with a truncating shell, reports refer to facets an
   for(bool is_disc_rejected : { false, true }) {
     if(is_disc_rejected) parts.points.back() = { 0, 0, 0 };
     Shell truncating = shell();
-    truncating.set_truncation(parts.shared());
+    BS::internal::Shell_access::set_truncation(truncating, parts.shared());
     REQUIRE(truncating.truncation()->is_valid());
     for(bool freezes : { false, true }) {
       CAPTURE(is_disc_rejected, freezes);

@@ -187,7 +187,7 @@ TEST_CASE("Shell files: the binary data follow the format")
 TEST_CASE("Shell files: paths follow the format, as text and as binary data")
 {
   Shell shell = small_shell();
-  shell.set_path_candidates({ { 0, 7, { 0.5, -1, 2 }, { 1, 2, 1e-3 } } });
+  BS::internal::Shell_access::set_path_candidates(shell, { { 0, 7, { 0.5, -1, 2 }, { 1, 2, 1e-3 } } });
   const Lines lines = lines_of(written(shell, Format::ASCII));
   CHECK(Lines(lines.begin() + 94, lines.end())
         == Lines{ "paths 1", "0 0.5 -1 2 1 2 0.001", "truncation", "0 0 0 0 0 0" });
@@ -205,11 +205,12 @@ TEST_CASE("Shell files: paths follow the format, as text and as binary data")
     CHECK(written(back, format) == written(shell, format));
     CHECK(back.component_paths().empty()); // the paths are not proved
   }
-  shell.set_path_candidates({ { 0, 0, { 0, 0, 0 }, { std::numeric_limits<double>::infinity(), 0, 0 } } });
+  BS::internal::Shell_access::set_path_candidates(
+    shell, { { 0, 0, { 0, 0, 0 }, { std::numeric_limits<double>::infinity(), 0, 0 } } });
   std::ostringstream out;
   CHECK(BS::write_shell(out, shell, Format::ASCII) == Status::NOT_A_SHELL);
   // A component has no path.
-  shell.set_path_candidates({ { 1, 0, { 0, 0, 0 }, { 1, 0, 0 } } });
+  BS::internal::Shell_access::set_path_candidates(shell, { { 1, 0, { 0, 0, 0 }, { 1, 0, 0 } } });
   CHECK(BS::write_shell(out, shell, Format::ASCII) == Status::NOT_A_SHELL);
 }
 
@@ -278,13 +279,15 @@ TEST_CASE("Shell files: an invalid shell is not written")
   const std::vector<Closing::Point> points{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
   for(std::size_t border : { 2, 3 }) {
     Shell closed = some;
-    closed.set_closing(std::make_shared<const Closing>(points, border, std::vector<Closing::Triangle>{ { 0, 1, 2 } },
-                                                       std::vector<Closing::Kind>{ Closing::Kind::CAP }));
+    BS::internal::Shell_access::set_closing(
+      closed, std::make_shared<const Closing>(points, border, std::vector<Closing::Triangle>{ { 0, 1, 2 } },
+                                              std::vector<Closing::Kind>{ Closing::Kind::CAP }));
     if(border == 2) check(closed);
     else CHECK_FALSE(written(closed, Format::BINARY).empty());
   }
   Shell truncated = some;
-  truncated.set_truncation(
+  BS::internal::Shell_access::set_truncation(
+    truncated,
     std::make_shared<const Truncation>(points, std::vector<Truncation::Triangle>(), std::vector<Truncation::Cut>(),
                                        std::vector<Truncation::Core>{ { { 0, 1, 2 }, 0 } },
                                        std::vector<Truncation::Disc>(), std::vector<Truncation::Planar_point>()));

@@ -123,7 +123,7 @@ Shell shell_of(const Certificate& certificate, const std::vector<BS::Cover_box>&
 {
   Shell shell(two_shells(), levels, cells_of_cover(boxes, two_shells().number_of_cells()), {},
               successful_report(1, certificate.report()));
-  if(has_cover) shell.set_proved_cover(boxes);
+  if(has_cover) BS::internal::Shell_access::set_proved_cover(shell, boxes);
   REQUIRE(shell.is_certified());
   return shell;
 }

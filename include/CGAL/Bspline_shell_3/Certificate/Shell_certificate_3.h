@@ -142,9 +142,9 @@ public:
   {
     CGAL_precondition(m_is_of_shell && &shell.field() == m_field);
     if(!is_certified()) return false;
-    shell.set_certificate(report());
-    shell.set_cell_bounds(m_bounds);
-    shell.set_proved_cover(cover()->boxes());
+    internal::Shell_access::set_certificate(shell, report());
+    internal::Shell_access::set_cell_bounds(shell, m_bounds);
+    internal::Shell_access::set_proved_cover(shell, cover()->boxes());
     reuse_certificate_of(shell);
     return true;
   }

@@ -60,9 +60,7 @@ inline std::optional<Critical_point> prove_critical_point(const Enclosed_tricubi
     }
     return g;
   };
-  const Eigen::FullPivLU<Eigen::Matrix3d> lu(middle);
-  if(!lu.isInvertible()) return std::nullopt;
-  const Eigen::Matrix3d Y = lu.inverse();
+  const Eigen::Matrix3d Y = middle.inverse(); // need not be accurate
   if(!Y.allFinite()) return std::nullopt;
   Eigen::Vector3d x(0.5, 0.5, 0.5);
   for(int step = 0; step < 20; ++step) x -= Y * gradient(x);

@@ -130,10 +130,11 @@ Certified_bspline_shell_3 build_certified_shell(Shell_construction& construction
   for(auto f : input->mesh().faces()) facets[input->facet_of_origin(f)].include(ranges[f]);
   Shell shell(refinement.field(), refinement.inner(), refinement.outer(), std::move(shell_cells), std::move(facets),
               construction.end(Status::SUCCESS));
-  shell.set_closing(input->closing());
-  shell.set_truncation(input->truncation());
-  shell.set_cell_bounds(certificate.bounds());
-  if(certificate.verdict(Claim::GRADIENT) == Verdict::PROVED) shell.set_proved_cover(certificate.cover()->boxes());
+  internal::Shell_access::set_closing(shell, input->closing());
+  internal::Shell_access::set_truncation(shell, input->truncation());
+  internal::Shell_access::set_cell_bounds(shell, certificate.bounds());
+  if(certificate.verdict(Claim::GRADIENT) == Verdict::PROVED)
+    internal::Shell_access::set_proved_cover(shell, certificate.cover()->boxes());
   return shell;
 }
 

@@ -305,11 +305,12 @@ bool make_shell(Shell_file_content& content, Shell& shell)
     made = between(Threshold(spline(1)), Threshold(spline(2)));
   }
   if(content.has_closing())
-    made.set_closing(
+    internal::Shell_access::set_closing(
+      made,
       std::make_shared<const Shell_closing_3>(std::move(content.closing_points), std::size_t(content.border_points),
                                               std::move(content.closing_triangles), std::move(content.closing_kinds)));
-  made.set_truncation(std::move(content.truncation));
-  made.set_path_candidates(std::move(content.paths));
+  internal::Shell_access::set_truncation(made, std::move(content.truncation));
+  internal::Shell_access::set_path_candidates(made, std::move(content.paths));
   if(!is_shell(made)) return false;
   shell = std::move(made);
   return true;

@@ -14,6 +14,7 @@
 #include <CGAL/assertions.h>
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>

@@ -107,7 +107,11 @@ public:
               const CGAL::Named_function_parameters<T2, Tag2, Base2>& np_target = CGAL::parameters::default_values())
     : Shell_map_3(prepare<Projection_to_source>(shell, source, np_source, tolerance(np_source)),
                   prepare<Projection_to_target>(shell, target, np_target, tolerance(np_source)))
-  {}
+  {
+    static_assert(CGAL::parameters::is_default_parameter<CGAL::Named_function_parameters<T2, Tag2, Base2>,
+                                                         parameter_tags::tolerance_t>::value,
+                  "The tolerance of both directions is a parameter of np_source.");
+  }
 
   // Temporaries would dangle.
   template <typename... NP>

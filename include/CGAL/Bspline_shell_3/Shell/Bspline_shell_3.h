@@ -28,7 +28,10 @@ namespace CGAL {
 namespace Bspline_shells {
 template <typename Field, typename Threshold>
 class Second_order_bounds_3;
+namespace internal {
+struct Shell_access;
 }
+} // namespace Bspline_shells
 
 /*!
  * \ingroup PkgBsplineShell3Shell
@@ -133,15 +136,10 @@ public:
   /// returns the triangles that close the open mesh for which the shell was built, and every other mesh with the same
   /// border; null if the mesh is closed
   const std::shared_ptr<const Bspline_shells::Shell_closing_3>& closing() const { return m_closing; }
-  void set_closing(std::shared_ptr<const Bspline_shells::Shell_closing_3> closing) { m_closing = std::move(closing); }
   /// returns the discs that replace tips of the mesh for which the shell was built, and the map between the mesh and
   /// the truncated mesh; null if no tip is truncated. The truncated mesh lies in the shell; maps, edits, and
   /// certificates take the original mesh and truncate it.
   const std::shared_ptr<const Bspline_shells::Shell_truncation_3>& truncation() const { return m_truncation; }
-  void set_truncation(std::shared_ptr<const Bspline_shells::Shell_truncation_3> truncation)
-  {
-    m_truncation = std::move(truncation);
-  }
   /// returns an enclosure of \f$f\f$ on each facet of the mesh for which the shell was built, in the order of
   /// `faces(mesh)`. Enclosures on the triangles of the closing, and then on those of discs, follow.
   const std::vector<Level_range>& facet_ranges() const { return m_facets; }
@@ -162,42 +160,15 @@ public:
   /// returns the paths from a file that may lead through the components of the shell. They are candidates: a
   /// certificate uses only those that it proves. Empty if the shell is certified.
   const std::vector<Bspline_shells::Crossing_path>& path_candidates() const { return m_path_candidates; }
-  void set_path_candidates(std::vector<Bspline_shells::Crossing_path> paths) { m_path_candidates = std::move(paths); }
-
-  /// certifies the shell with the report of the certificate of a mesh in it. The components of the shell are then those
-  /// of that mesh. Called by `Bspline_shells::certify()`.
-  /// \pre all claims of the report are proved for this field and these thresholds
-  void set_certificate(Bspline_shells::Certificate_report report)
-  {
-    CGAL_precondition(report.are_all_proved());
-    m_report.certificate = std::move(report);
-    m_cover.reset();
-    m_path_candidates.clear();
-  }
 
   /// returns the boxes of the cover with which the certificate of the shell proved that it has no critical point.
   /// Certificates of other meshes in the shell reuse them. Null if this claim was not proved, in particular for shells
   /// from a file until they are certified.
   const std::shared_ptr<const std::vector<Bspline_shells::Cover_box> >& proved_cover() const { return m_cover; }
-  /// \pre the cover belongs to a certificate of a mesh in this shell, which proved the gradient claim with it. If this
-  ///   is not the certificate of `report()`, `least_gradient` of `report()` is zero, and the bound is computed on
-  ///   demand.
-  /// \post `shell_cells()` marks exactly the cells of the cover
-  void set_proved_cover(std::vector<Bspline_shells::Cover_box> boxes)
-  {
-    CGAL_precondition(m_report.certificate.verdict(Bspline_shells::Claim::GRADIENT) == Bspline_shells::Verdict::PROVED);
-    m_cells.assign(m_field->number_of_cells(), 0);
-    for(const Bspline_shells::Cover_box& box : boxes)
-      if(box.component != Bspline_shells::Cover_box::no_component) m_cells[box.cell] = 1;
-    m_cover = std::make_shared<const std::vector<Bspline_shells::Cover_box> >(std::move(boxes));
-  }
-
   /// returns bounds of the field on cells, computed by the certificate with which the shell was built. Certificates and
   /// edits of meshes use them, and add bounds on further cells. They take up to 425 bytes per cell of the field. Null
   /// if no certificate has examined the shell.
   const std::shared_ptr<const Bounds>& cell_bounds() const { return m_cell_bounds; }
-  /// \pre `bounds` belong to this `field()` object and to the thresholds
-  void set_cell_bounds(std::shared_ptr<const Bounds> bounds) { m_cell_bounds = std::move(bounds); }
 
   /// returns the position of `p` relative to the shell; `ON_BOUNDED_SIDE` means inside the shell. Points outside the
   /// field's domain are outside the shell, and so are all points if there is no shell. Evaluated in `double`
@@ -214,6 +185,8 @@ public:
   }
 
 private:
+  friend struct Bspline_shells::internal::Shell_access;
+
   // shared with copies, because other objects refer to it
   std::shared_ptr<const Field> m_field = std::make_shared<const Field>();
   Threshold m_inner, m_outer;
@@ -227,6 +200,61 @@ private:
   std::shared_ptr<const Bspline_shells::Shell_truncation_3> m_truncation;
 };
 
+namespace Bspline_shells {
+namespace internal {
+
+// Sets the parts of a shell that only construction, certificates and readers may set.
+struct Shell_access
+{
+  template <typename Shell>
+  static void set_closing(Shell& shell, std::shared_ptr<const Shell_closing_3> closing)
+  {
+    shell.m_closing = std::move(closing);
+  }
+  template <typename Shell>
+  static void set_truncation(Shell& shell, std::shared_ptr<const Shell_truncation_3> truncation)
+  {
+    shell.m_truncation = std::move(truncation);
+  }
+  template <typename Shell>
+  static void set_path_candidates(Shell& shell, std::vector<Crossing_path> paths)
+  {
+    shell.m_path_candidates = std::move(paths);
+  }
+  // Certifies the shell with the report of the certificate of a mesh in it. The components of the shell are then those
+  // of that mesh.
+  // pre: all claims of the report are proved for this field and these thresholds
+  template <typename Shell>
+  static void set_certificate(Shell& shell, Certificate_report report)
+  {
+    CGAL_precondition(report.are_all_proved());
+    shell.m_report.certificate = std::move(report);
+    shell.m_cover.reset();
+    shell.m_path_candidates.clear();
+  }
+  // Marks exactly the cells of the cover.
+  // pre: the cover belongs to a certificate of a mesh in this shell, which proved the gradient claim with it. If this
+  // is
+  //   not the certificate of `report()`, `least_gradient` of `report()` is zero, and the bound is computed on demand.
+  template <typename Shell>
+  static void set_proved_cover(Shell& shell, std::vector<Cover_box> boxes)
+  {
+    CGAL_precondition(shell.report().certificate.verdict(Claim::GRADIENT) == Verdict::PROVED);
+    shell.m_cells.assign(shell.field().number_of_cells(), 0);
+    for(const Cover_box& box : boxes)
+      if(box.component != Cover_box::no_component) shell.m_cells[box.cell] = 1;
+    shell.m_cover = std::make_shared<const std::vector<Cover_box> >(std::move(boxes));
+  }
+  // pre: `bounds` belong to the `field()` object of this shell and to its thresholds
+  template <typename Shell>
+  static void set_cell_bounds(Shell& shell, std::shared_ptr<const typename Shell::Bounds> bounds)
+  {
+    shell.m_cell_bounds = std::move(bounds);
+  }
+};
+
+} // namespace internal
+} // namespace Bspline_shells
 } // namespace CGAL
 
 #endif // CGAL_BSPLINE_SHELL_3_SHELL_BSPLINE_SHELL_3_H

@@ -10,13 +10,14 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -67,6 +68,23 @@ private:
   int m_symmetry;
   double m_weight = 0, m_length = 0;
 };
+
+// Returns a vector after the smallest rotation that takes one direction to another.
+inline Eigen::Vector3d rotated(const Eigen::Vector3d& v, const Eigen::Vector3d& from, const Eigen::Vector3d& to)
+{
+  const Eigen::Vector3d axis = from.cross(to);
+  return Eigen::AngleAxisd(std::atan2(axis.norm(), from.dot(to)), axis.normalized()) * v;
+}
+
+// Returns the pseudoinverse of a positive semidefinite matrix.
+inline Eigen::Matrix2d pseudoinverse(const Eigen::Matrix2d& matrix)
+{
+  const double trace = matrix.trace(), det = matrix.determinant();
+  // The determinant of a matrix of rank 1 is at most this after rounding.
+  if(det > std::numeric_limits<double>::epsilon() * trace * trace) return matrix.inverse();
+  if(!(trace > 0)) return Eigen::Matrix2d::Zero();
+  return matrix / (trace * trace);
+}
 
 // A field of symmetric tangent vectors on a mesh.
 class Tangent_field
@@ -129,7 +147,7 @@ public:
       Symmetric_mean mean(normal(f), m_symmetry);
       for(std::size_t i = 0; i < 3; ++i) {
         const std::size_t v = m_vertices[3 * std::size_t(f) + i];
-        mean.add(Eigen::Quaterniond::FromTwoVectors(m_normals[v], normal(f)) * m_of_vertices[v], barycentric[i]);
+        mean.add(rotated(m_of_vertices[v], m_normals[v], normal(f)), barycentric[i]);
       }
       return mean();
     }
@@ -162,7 +180,7 @@ private:
     const Eigen::Vector3d x = x_axis(f), y = y_axis(f);
     const Power z = power(f);
     Eigen::Matrix2d matrix = Eigen::Matrix2d::Zero();
-    Eigen::Vector2cd right = Eigen::Vector2cd::Zero();
+    std::array<Power, 2> right = { 0, 0 };
     double largest = 0;
     for(int i = 0; i < 3; ++i) {
       const Index g = m_facets->neighbor(f, i);
@@ -178,10 +196,12 @@ private:
                                - z;
       const double weight = 1 / d.squaredNorm();
       matrix += weight * d * d.transpose();
-      right += weight * difference * d.cast<Power>();
+      for(int k = 0; k < 2; ++k) right[k] += weight * d[k] * difference;
       largest = (std::max)(largest, std::abs(difference));
     }
-    const Eigen::Vector2cd slope = matrix.completeOrthogonalDecomposition().pseudoInverse().cast<Power>() * right;
+    const Eigen::Matrix2d inverse = pseudoinverse(matrix);
+    const Gradient slope = { inverse(0, 0) * right[0] + inverse(0, 1) * right[1],
+                             inverse(1, 0) * right[0] + inverse(1, 1) * right[1] };
     // Limits the gradient so that at the corners, the field differs from the facet's vector by at most as much as the
     // neighbors do.
     double farthest = 0;
