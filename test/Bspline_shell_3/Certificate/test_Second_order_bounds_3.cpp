@@ -38,10 +38,10 @@ constexpr std::size_t many = 4096;
 
 template <typename AnyBounds>
 typename AnyBounds::Facet_bounds examine(const AnyBounds& bounds, const Triangle& t, std::size_t most_bisections = many,
-                                         double wanted_slope = 0)
+                                         double target_slope = 0)
 {
   return bounds.examine({ bounds.sample(t[0]), bounds.sample(t[1]), bounds.sample(t[2]) },
-                        BS::facet_normal(t[0], t[1], t[2]), most_bisections, wanted_slope);
+                        BS::facet_normal(t[0], t[1], t[2]), most_bisections, target_slope);
 }
 
 Bounds between(const Field& field, double inner, double outer)
@@ -354,13 +354,13 @@ TEST_CASE("Second-order bounds: a facet that faces away only in cells without it
         Triangle t = { Point_3(-1.4 * width, -0.5 * width, z), Point_3(1.4 * width, -0.5 * width, z),
                        Point_3(1.4 * width, 0.5 * width, z) };
         if(sign < 0) std::swap(t[0], t[1]);
-        for(double wanted : { 0., 100. })
+        for(double enough : { 0., 100. })
           for(std::size_t bisections : { std::size_t(0), std::size_t(1), many }) {
-            const auto found = examine(bounds, t, bisections, wanted);
+            const auto found = examine(bounds, t, bisections, enough);
             if(margin > 0) CHECK_FALSE(found.is_transversal);
             else {
               CHECK(found.slope <= -margin + 1e-12);
-              if(bisections == many && wanted > 1) CHECK(found.slope > -0.85 * margin);
+              if(bisections == many && enough > 1) CHECK(found.slope > -0.85 * margin);
             }
           }
       }
@@ -705,12 +705,12 @@ TEST_CASE("Second-order bounds: the bound of the slope is close to the least slo
     if(normal(t).z() < 0) std::swap(t[0], t[1]);
     if(!(normal(t).z() > 0.05)) continue;
     const double least = least_slope(field, t);
-    for(double wanted : { 0.1, 0.5, 10. }) {
-      const auto found = examine(bounds, t, many, wanted);
+    for(double enough : { 0.1, 0.5, 10. }) {
+      const auto found = examine(bounds, t, many, enough);
       if(!(least > 0.01)) continue;
       CHECK(found.is_transversal);
       CHECK(found.slope <= least * (1 + 1e-9));
-      CHECK(found.slope >= (std::min)(wanted, 0.89 * least));
+      CHECK(found.slope >= (std::min)(enough, 0.89 * least));
     }
   }
 }
@@ -838,8 +838,8 @@ TEST_CASE("Second-order bounds: a facet parallel to the gradient does not face i
     inexact += BS::facet_normal(p, q, r).radius > 1e-12;
     const Bounds bounds = between(field, -200, 200);
     for(const Triangle& t : { Triangle{ p, q, r }, Triangle{ q, p, r } })
-      for(double wanted : { 0., 1e-12 }) {
-        const auto found = examine(bounds, t, many, wanted);
+      for(double enough : { 0., 1e-12 }) {
+        const auto found = examine(bounds, t, many, enough);
         CHECK_FALSE(found.is_transversal);
         CHECK_FALSE(found.faces_away); // it does not face away either
       }

@@ -57,21 +57,21 @@ const auto any_size = [](Index) { return std::numeric_limits<double>::infinity()
 } // namespace
 
 TEST_CASE(
-  "Slope conditions: the wanted slope is a fraction of the slope at the worst vertex, and zero at singular vertices")
+  "Slope conditions: the target slope is a fraction of the slope at the worst vertex, and zero at singular vertices")
 {
   for(double fraction : { 0.2, 0.5 }) {
-    const std::vector<double> cube = BS::wanted_slopes<Tag>(In_cells(box(Point_3(-1, -1, -1), Point_3(1, 1, 1))).input,
+    const std::vector<double> cube = BS::target_slopes<Tag>(In_cells(box(Point_3(-1, -1, -1), Point_3(1, 1, 1))).input,
                                                             fraction);
     CHECK(cube.size() == 12);
     for(double slope : cube) CHECK(slope == Approx(fraction / std::sqrt(3.)).epsilon(1e-6));
   }
   const In_cells round(sphere(3));
-  const std::vector<double> slopes = BS::wanted_slopes<Tag>(round.input, 0.2);
+  const std::vector<double> slopes = BS::target_slopes<Tag>(round.input, 0.2);
   CHECK(*std::min_element(slopes.begin(), slopes.end()) > 0.19);
-  CHECK(slopes == BS::wanted_slopes<CGAL::Parallel_if_available_tag>(round.input, 0.2));
+  CHECK(slopes == BS::target_slopes<CGAL::Parallel_if_available_tag>(round.input, 0.2));
   // At one vertex, facets have no common direction. The slopes of these facets are zero, and no others.
   const In_cells turning(screw());
-  const std::vector<double> around = BS::wanted_slopes<Tag>(turning.input, 0.2);
+  const std::vector<double> around = BS::target_slopes<Tag>(turning.input, 0.2);
   std::size_t zero = 0;
   for(auto f : turning.input.mesh().faces()) {
     bool is_there = false;
@@ -89,10 +89,10 @@ TEST_CASE("Slope conditions: each cell has a few conditions on its part of the m
 {
   for(int subdivisions : { 0, 1, 6 }) {
     const In_cells in(sphere(subdivisions));
-    std::vector<double> wanted = BS::wanted_slopes<Tag>(in.input, 0.2);
-    wanted[3] = 0;
+    std::vector<double> target = BS::target_slopes<Tag>(in.input, 0.2);
+    target[3] = 0;
     const auto in_triangles = [&](Index c, std::uint32_t facet) {
-      return c % 2 == 0 ? wanted[facet] : wanted[facet] / 4;
+      return c % 2 == 0 ? target[facet] : target[facet] / 4;
     };
     const auto size = [](Index c) { return 1. + c; };
     const std::vector<BS::Slope_condition> conditions = BS::slope_conditions(in.field, in.clipped, in_triangles,
@@ -137,10 +137,10 @@ TEST_CASE("Slope conditions: each cell has a few conditions on its part of the m
   }
   // Conditions are returned for the requested cells only.
   const In_cells in(sphere(2));
-  const std::vector<double> wanted = BS::wanted_slopes<Tag>(in.input, 0.2);
+  const std::vector<double> target = BS::target_slopes<Tag>(in.input, 0.2);
   const Index c = in.clipped.pieces().front().cell;
   const auto there = BS::slope_conditions(
-    in.field, in.clipped, [&](Index, std::uint32_t facet) { return wanted[facet]; }, [&](Index n) { return n == c; },
+    in.field, in.clipped, [&](Index, std::uint32_t facet) { return target[facet]; }, [&](Index n) { return n == c; },
     any_size);
   CHECK_FALSE(there.empty());
   CHECK(std::all_of(there.begin(), there.end(), [&](const auto& condition) { return condition.cell == c; }));

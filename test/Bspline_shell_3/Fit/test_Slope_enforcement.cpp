@@ -156,8 +156,8 @@ Vector slope_row(const Problem& problem, const Condition& c)
   return row;
 }
 
-// Returns the step that minimizes s.H.s - 2 r.s under G s >= wanted. It tries all sets of active conditions.
-Vector brute_force(const Eigen::MatrixXd& H, const Vector& r, const Eigen::MatrixXd& G, const Vector& wanted)
+// Returns the step that minimizes s.H.s - 2 r.s under G s >= least. It tries all sets of active conditions.
+Vector brute_force(const Eigen::MatrixXd& H, const Vector& r, const Eigen::MatrixXd& G, const Vector& least)
 {
   const Eigen::LDLT<Eigen::MatrixXd> factor(H);
   for(int set = 0; set < 1 << G.rows(); ++set) {
@@ -168,7 +168,7 @@ Vector brute_force(const Eigen::MatrixXd& H, const Vector& r, const Eigen::Matri
     Vector target(Eigen::Index(active.size()));
     for(std::size_t i = 0; i < active.size(); ++i) {
       rows.row(Eigen::Index(i)) = G.row(active[i]);
-      target[Eigen::Index(i)] = wanted[active[i]];
+      target[Eigen::Index(i)] = least[active[i]];
     }
     Vector step = factor.solve(r);
     bool is_optimal = true;
@@ -178,7 +178,7 @@ Vector brute_force(const Eigen::MatrixXd& H, const Vector& r, const Eigen::Matri
       step += inverse * multipliers;
       is_optimal = multipliers.minCoeff() >= 0;
     }
-    if(is_optimal && (G * step - wanted).minCoeff() >= -1e-9) return step;
+    if(is_optimal && (G * step - least).minCoeff() >= -1e-9) return step;
   }
   FAIL("no optimum");
   return Vector();
@@ -270,7 +270,7 @@ TEST_CASE("Slopes: each step is optimal for the coefficients near the violated c
       const Vector residual = problem.b - A * problem.x;
       const std::vector<Index> unknowns(free.begin(), free.end());
       Eigen::MatrixXd H(size, size), G(Eigen::Index(conditions.size()), size);
-      Vector r(size), wanted(G.rows());
+      Vector r(size), least(G.rows());
       for(Eigen::Index n = 0; n < size; ++n) {
         r[n] = residual[unknowns[n]];
         for(Eigen::Index m = 0; m < size; ++m) H(m, n) = A(unknowns[m], unknowns[n]);
@@ -278,10 +278,10 @@ TEST_CASE("Slopes: each step is optimal for the coefficients near the violated c
       for(Eigen::Index i = 0; i < G.rows(); ++i) {
         const Vector row = slope_row(problem, conditions[i]);
         for(Eigen::Index n = 0; n < size; ++n) G(i, n) = row[unknowns[n]];
-        wanted[i] = conditions[i].least - row.dot(problem.x);
+        least[i] = conditions[i].least - row.dot(problem.x);
       }
       const auto best = [&](double part) {
-        const Vector step = brute_force(H, r, G, Vector(wanted.array() + part * 1.3));
+        const Vector step = brute_force(H, r, G, Vector(least.array() + part * 1.3));
         Vector y = problem.x;
         for(Eigen::Index n = 0; n < size; ++n) y[unknowns[n]] += step[n];
         return y;

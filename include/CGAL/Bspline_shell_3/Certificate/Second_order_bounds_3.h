@@ -97,12 +97,12 @@ public:
   /// \param corners samples of the triangle's corners
   /// \param normal an enclosure of its normal
   /// \param most_bisections number of bisections after which nothing more is proved
-  /// \param wanted_slope per user unit; a proved bound of the slope is at least this, or at least 9/10 of the slope at
+  /// \param target_slope per user unit; a proved bound of the slope is at least this, or at least 9/10 of the slope at
   ///   some point
   Facet_bounds examine(const std::array<Sample, 3>& corners, const Facet_normal& normal, std::size_t most_bisections,
-                       double wanted_slope = 0) const
+                       double target_slope = 0) const
   {
-    return internal::Second_order_examination<Cells>(m_cells, corners, normal, most_bisections, wanted_slope).result();
+    return internal::Second_order_examination<Cells>(m_cells, corners, normal, most_bisections, target_slope).result();
   }
 
 private:

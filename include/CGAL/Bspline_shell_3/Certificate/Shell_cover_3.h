@@ -121,10 +121,10 @@ public:
     sort_unique(cells);
     cells.erase(std::remove_if(cells.begin(), cells.end(), [&](std::uint32_t c) { return m_boxes.is_subdivided(c); }),
                 cells.end());
-    const bool is_hopeless = m_undecided >= many_undecided; // finer boxes are not worth their time
+    const bool gives_up = m_undecided >= many_undecided; // finer boxes are not worth their time
     for(const Cover_box& box : internal::collect_from_chunks<ConcurrencyTag, Cover_box>(
           cells.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<Cover_box>&found) {
-            for(std::size_t n = begin; n < end; ++n) m_subdivision.subdivide(cells[n], is_hopeless, found);
+            for(std::size_t n = begin; n < end; ++n) m_subdivision.subdivide(cells[n], gives_up, found);
           }))
       m_boxes.push_back(box);
   }

@@ -58,7 +58,7 @@ public:
       switch(exchange_conditions()) {
         case Outcome::MENDED: return true;
         case Outcome::TOO_MUCH: return false;
-        case Outcome::LESS_IS_WANTED: begin();
+        case Outcome::TARGETS_LOWERED: begin();
       }
     }
   }
@@ -85,16 +85,16 @@ private:
   {
     MENDED,
     TOO_MUCH,
-    LESS_IS_WANTED
+    TARGETS_LOWERED
   };
 
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
   // returns the slope that is required across a facet in a cell
-  double wanted_slope(Index c, std::uint32_t facet) const
+  double target_slope(Index c, std::uint32_t facet) const
   {
-    return m_slope_limits.empty() ? m_problem.wanted_slopes[facet]
-                                  : (std::min)(m_problem.wanted_slopes[facet], m_slope_limits[c]);
+    return m_slope_limits.empty() ? m_problem.target_slopes[facet]
+                                  : (std::min)(m_problem.target_slopes[facet], m_slope_limits[c]);
   }
 
   // returns the bound on |f| on the mesh at which corrections aim, in units of the width of root cells
@@ -107,7 +107,7 @@ private:
   {
     m_enforcement.emplace(*m_fitted.field(), m_fitted.A(), m_fitted.b());
     m_enforcement->insert(slope_conditions<ConcurrencyTag>(
-      *m_fitted.field(), m_fitted.clipped(), [&](Index c, std::uint32_t facet) { return wanted_slope(c, facet); },
+      *m_fitted.field(), m_fitted.clipped(), [&](Index c, std::uint32_t facet) { return target_slope(c, facet); },
       [&](Index c) { return !m_fitted.part() || m_fitted.part()->cells[c]; },
       [&](Index c) { return largest_on_mesh(c); }));
     std::vector<Slope_condition> conditions;
@@ -119,9 +119,9 @@ private:
   void add_conditions_of_thick_cells(std::vector<Slope_condition>& conditions) const
   {
     for(const Thick_cell& t : m_examined.thick_cells())
-      if(m_problem.wanted_slopes[t.facet] > 0)
+      if(m_problem.target_slopes[t.facet] > 0)
         conditions.push_back({ t.cell, t.facet, m_fitted.field()->cell(t.cell).local_coordinates(t.point),
-                               m_fitted.clipped().normal(t.facet), wanted_slope(t.cell, t.facet),
+                               m_fitted.clipped().normal(t.facet), target_slope(t.cell, t.facet),
                                largest_on_mesh(t.cell) });
   }
 
@@ -131,12 +131,12 @@ private:
     for(const Facet_failure& f : failures)
       if(can_be_corrected(f))
         conditions.push_back({ f.cell, f.facet, m_fitted.field()->cell(f.cell).local_coordinates(f.point),
-                               m_fitted.clipped().normal(f.facet), wanted_slope(f.cell, f.facet) });
+                               m_fitted.clipped().normal(f.facet), target_slope(f.cell, f.facet) });
   }
 
   bool can_be_corrected(const Facet_failure& f) const
   {
-    return f.cell != Field::npos && m_problem.wanted_slopes[f.facet] > 0;
+    return f.cell != Field::npos && m_problem.target_slopes[f.facet] > 0;
   }
 
   // Alternates between corrections and new conditions at the places that still fail.
@@ -151,7 +151,7 @@ private:
       if(exchange == 0) m_budget.round().sloping_cells = slopes.violated_before;
       m_budget.round().sloping_cells_left = slopes.violated_cells.size();
       if(!slopes.enforced) {
-        if(slopes.patches == 0 && limit_slopes(slopes.violated_cells)) return Outcome::LESS_IS_WANTED;
+        if(slopes.patches == 0 && limit_slopes(slopes.violated_cells)) return Outcome::TARGETS_LOWERED;
         for(std::size_t n = 0; n < slopes.violated_cells.size(); ++n)
           m_sloping.push_back({ slopes.violated_cells[n], slopes.violated_facets[n] });
         return Outcome::TOO_MUCH;
@@ -165,7 +165,7 @@ private:
       const std::size_t thick = m_examined.thick_cells().size();
       if((thick == 0 && failures.empty()) || are_many_thick()) break;
       if(exchange + 1 == m_tuning.max_slope_exchanges) {
-        if(!failures.empty() && relax_slopes(slopes.violated_cells)) return Outcome::LESS_IS_WANTED;
+        if(!failures.empty() && relax_slopes(slopes.violated_cells)) return Outcome::TARGETS_LOWERED;
         break;
       }
       if(exchange > 0 && thick > m_tuning.few_thick_cells
@@ -207,8 +207,8 @@ private:
     const Cell_hierarchy_3& all = m_fitted.field()->cells();
     std::vector<double> least(all.number_of_cells(), unlimited);
     for(const Clipped_mesh_3::Piece& piece : m_fitted.clipped().pieces())
-      if(m_problem.wanted_slopes[piece.facet] > 0)
-        least[piece.cell] = (std::min)(least[piece.cell], m_problem.wanted_slopes[piece.facet]);
+      if(m_problem.target_slopes[piece.facet] > 0)
+        least[piece.cell] = (std::min)(least[piece.cell], m_problem.target_slopes[piece.facet]);
     m_slope_limits.assign(all.number_of_cells(), unlimited);
     for(Index c : cells)
       visit_around(

@@ -45,7 +45,7 @@ public:
 
   /// \pre `problem` and `fitted` outlive this object
   Examined_field(const Refinement_problem& problem, const Fitted& fitted)
-    : m_problem(problem), m_fitted(fitted), m_unexamined(problem.wanted_slopes.size()),
+    : m_problem(problem), m_fitted(fitted), m_unexamined(problem.target_slopes.size()),
       m_thresholds(seeds(*problem.input))
   {}
 

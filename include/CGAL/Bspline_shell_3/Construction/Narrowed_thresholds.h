@@ -87,14 +87,14 @@ public:
   {
     m_field = &field;
     m_is_constant = false;
-    m_wanted.emplace(field, thickness);
-    for(const Cap& cap : m_caps) m_wanted->cap(cap); // otherwise, they would be found again
+    m_thresholds.emplace(field, thickness);
+    for(const Cap& cap : m_caps) m_thresholds->cap(cap); // otherwise, they would be found again
   }
 
   /// replaces the requested thresholds by two constant thresholds, which are not narrowed
   void set_constant(const Level_range& levels)
   {
-    m_wanted->set_constant(levels);
+    m_thresholds->set_constant(levels);
     m_is_constant = true;
   }
 
@@ -107,20 +107,20 @@ public:
   template <typename ConcurrencyTag, typename Ranges>
   std::vector<Threshold_obstacle> choose(const Ranges& ranges, const Narrowing_limits& limits)
   {
-    CGAL_precondition(m_wanted.has_value());
+    CGAL_precondition(m_thresholds.has_value());
     // The ranges on the mesh limit the caps, and must therefore be sharp.
-    bool is_sharp = !m_wanted->caps().empty();
+    bool is_sharp = !m_thresholds->caps().empty();
     m_tight.clear();
-    if(!m_is_constant) m_wanted->set_mesh_ranges(ranges(is_sharp ? Mesh_ranges::SHARP : Mesh_ranges::SUFFICIENT));
+    if(!m_is_constant) m_thresholds->set_mesh_ranges(ranges(is_sharp ? Mesh_ranges::SHARP : Mesh_ranges::SUFFICIENT));
     std::size_t unresolved_before = std::numeric_limits<std::size_t>::max();
     for(int pass = 0;; ++pass) {
-      m_inner = std::make_unique<Threshold>(m_wanted->template threshold<ConcurrencyTag>(NEGATIVE));
-      m_outer = std::make_unique<Threshold>(m_wanted->template threshold<ConcurrencyTag>(POSITIVE));
+      m_inner = std::make_unique<Threshold>(m_thresholds->template threshold<ConcurrencyTag>(NEGATIVE));
+      m_outer = std::make_unique<Threshold>(m_thresholds->template threshold<ConcurrencyTag>(POSITIVE));
       Cover cover = covered<ConcurrencyTag>();
       std::vector<Threshold_obstacle> obstacles;
       const std::map<Cell_and_side, Nearest> nearest = nearest_in_the_way(cover, obstacles);
       if(!is_sharp && !nearest.empty() && !m_is_constant) {
-        m_wanted->set_mesh_ranges(ranges(Mesh_ranges::SHARP));
+        m_thresholds->set_mesh_ranges(ranges(Mesh_ranges::SHARP));
         is_sharp = true;
       }
       std::vector<Threshold_obstacle> unresolved;
@@ -136,7 +136,7 @@ public:
                          || (obstacles.empty() && !unresolved.empty() && unresolved.size() < unresolved_before);
       unresolved_before = unresolved.size();
       if(!helps || is_enough || pass + 1 == limits.max_passes) {
-        m_caps = m_wanted->caps();
+        m_caps = m_thresholds->caps();
         if(!obstacles.empty()) return obstacles;
         return unresolved.empty() && pass + 1 == limits.max_passes ? narrowed : unresolved;
       }
@@ -324,7 +324,7 @@ private:
     for(const auto& n : nearest) {
       const Cell_index c = n.first.first;
       const Sign side = Sign(n.first.second);
-      const double size = n.second.size, needed = (std::max)(side * m_wanted->needed(c, side), 0.);
+      const double size = n.second.size, needed = (std::max)(side * m_thresholds->needed(c, side), 0.);
       const Threshold_obstacle place = { c, n.second.point, side, size };
       if(needed > threshold_tuning.tight * size) m_tight[n.first] = place;
       const Threshold& threshold = side == POSITIVE ? *m_outer : *m_inner;
@@ -335,7 +335,7 @@ private:
       } else if(n.second.is_coarse && margin * now < (needed + room) / 2) {
         unresolved.push_back(place);
       } else {
-        m_wanted->cap(c, side, side * (needed + room) / 2);
+        m_thresholds->cap(c, side, side * (needed + room) / 2);
         narrowed.push_back(place);
       }
     }
@@ -344,7 +344,7 @@ private:
 
   std::vector<Point_3> m_seeds;
   const Field* m_field = nullptr;
-  std::optional<Shell_thresholds_3<Field> > m_wanted;
+  std::optional<Shell_thresholds_3<Field> > m_thresholds;
   bool m_is_constant = false;
   std::vector<Cap> m_caps;                     // caps of the last thresholds
   std::unique_ptr<Threshold> m_inner, m_outer; // certificates refer to them

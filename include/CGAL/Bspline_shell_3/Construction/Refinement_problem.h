@@ -48,7 +48,7 @@ public:
                      const Refinement_parameters& parameters)
     : input(std::move(mesh)), oracle(distance), thickness(thickness), solver(solver), start(start),
       parameters(parameters),
-      wanted_slopes(Bspline_shells::wanted_slopes<ConcurrencyTag>(*input, parameters.slope_fraction))
+      target_slopes(Bspline_shells::target_slopes<ConcurrencyTag>(*input, parameters.slope_fraction))
   {}
 
   /// returns half of the requested thickness at the center of a cell, which bounds |f| on the mesh in the cell
@@ -72,7 +72,7 @@ public:
   const Any_spd_solver& solver;
   const Start& start;
   const Refinement_parameters parameters;
-  const std::vector<double> wanted_slopes; ///< by triangle, per user unit; zero at singular vertices
+  const std::vector<double> target_slopes; ///< by triangle, per user unit; zero at singular vertices
 
 private:
   std::optional<Local_gap_3> m_gap;

@@ -76,7 +76,7 @@ public:
   /// \pre `problem` outlives this object
   explicit Certified_refinement(Refinement_problem& problem)
     : m_problem(problem), m_tuning(problem.parameters.tuning), m_fitted(problem), m_examined(problem, m_fitted),
-      m_history(problem.wanted_slopes.size(), problem.parameters.tuning), m_budget(problem.parameters)
+      m_history(problem.target_slopes.size(), problem.parameters.tuning), m_budget(problem.parameters)
   {}
 
   /// refines the cells until the shell is certified or refinement ends; returns the reason

@@ -37,7 +37,7 @@ namespace Bspline_shells {
  * \param fraction fraction of the possible slope
  */
 template <typename ConcurrencyTag>
-std::vector<double> wanted_slopes(const Input_mesh_3& input, double fraction)
+std::vector<double> target_slopes(const Input_mesh_3& input, double fraction)
 {
   constexpr std::size_t chunk = 1024;
   constexpr double singular = 1e-9; // smaller cone margins are within rounding errors
@@ -67,15 +67,16 @@ std::vector<double> wanted_slopes(const Input_mesh_3& input, double fraction)
  *
  * The slope varies little within a cell; the caller checks it everywhere.
  *
- * \tparam ConcurrencyTag as for `wanted_slopes()`; unless it is `Sequential_tag`, functions are called concurrently
- * \param wanted the slope of a triangle in a cell (`wanted_slopes()`). If it is zero, no condition is added, because
- *   corrections cannot help at a singular vertex.
+ * \tparam ConcurrencyTag as for `target_slopes()`; unless it is `Sequential_tag`, functions are called concurrently
+ * \param target_slope the slope of a triangle in a cell (`target_slopes()`). If it is zero, no condition is added,
+ *   because corrections cannot help at a singular vertex.
  * \param needs_conditions whether a cell needs conditions
  * \param largest largest allowed \f$|f|\f$ on the mesh in a cell, in units of the width of root cells
  */
 template <typename ConcurrencyTag = Sequential_tag, typename Field, typename Slope, typename Predicate, typename Size>
-std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_mesh_3& clipped, const Slope& wanted,
-                                              const Predicate& needs_conditions, const Size& largest)
+std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_mesh_3& clipped,
+                                              const Slope& target_slope, const Predicate& needs_conditions,
+                                              const Size& largest)
 {
   const std::size_t few = condition_tuning.few_pieces, most = condition_tuning.max_pieces;
   constexpr std::size_t chunk = 1024;
@@ -106,7 +107,7 @@ std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_
         const std::size_t stride = (next - n + most - 1) / most;
         for(std::size_t m = n; m < next; m += stride) {
           const Clipped_mesh_3::Piece& piece = pieces[m];
-          const double slope = wanted(c, piece.facet);
+          const double slope = target_slope(c, piece.facet);
           if(!(slope > 0)) continue;
           const auto add = [&](const std::array<double, 3>& p) {
             conditions.push_back(

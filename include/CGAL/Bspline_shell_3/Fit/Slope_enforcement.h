@@ -77,13 +77,13 @@ public:
   /// \param b right-hand side
   /// \pre the arguments outlive this object; functions with a common entry have intersecting supports
   Slope_enforcement(const Field& field, const Matrix& A, const Vector& b)
-    : m_field(field), m_A(A), m_b(b), m_conditions(field), m_hopeless(field.number_of_cells(), 0)
+    : m_field(field), m_A(A), m_b(b), m_conditions(field), m_abandoned(field.number_of_cells(), 0)
   {}
 
   /// adds conditions
   void insert(const std::vector<Slope_condition>& conditions)
   {
-    for(const Slope_condition& c : conditions) m_hopeless[c.cell] = 0;
+    for(const Slope_condition& c : conditions) m_abandoned[c.cell] = 0;
     m_conditions.insert(conditions);
   }
 
@@ -139,7 +139,7 @@ private:
     for(auto next = cells.begin(); next != cells.end() || !waiting.empty();) {
       std::vector<Index> centers;
       for(; next != cells.end() && waiting.size() + centers.size() < slope_tuning.max_waiting_patches; ++next)
-        if(!m_hopeless[*next]) centers.push_back(*next);
+        if(!m_abandoned[*next]) centers.push_back(*next);
       for(Patch& patch : internal::collect_from_chunks<ConcurrencyTag, Patch>(
             centers.size(), 1, [&](std::size_t n, std::size_t, std::vector<Patch>&found) {
               found.emplace_back(m_field, m_A, centers[n]);
@@ -151,7 +151,7 @@ private:
         const double before = m_conditions.least_slack(patch.center());
         if(!(before < 0)) return; // another patch has helped
         patch.template solve<ConcurrencyTag>(m_b, x, m_conditions);
-        m_hopeless[patch.center()] = m_conditions.least_slack(patch.center()) < slope_tuning.violation_left * before;
+        m_abandoned[patch.center()] = m_conditions.least_slack(patch.center()) < slope_tuning.violation_left * before;
       });
       for(const Patch& patch : batch) report.patches += patch.apply(x, report.changed_cells);
     }
@@ -176,7 +176,7 @@ private:
   const Matrix& m_A;
   const Vector& m_b;
   internal::Conditions_by_cell<Field> m_conditions;
-  std::vector<char> m_hopeless; // by cell: its patch did not help
+  std::vector<char> m_abandoned; // by cell: its patch did not help
 };
 
 } // namespace Bspline_shells

@@ -72,10 +72,11 @@ Transfer_report transfer_face_labels(const Map& map, SourceLabelMap source_label
   typedef typename boost::property_traits<SourceLabelMap>::value_type Label;
   typedef typename Map::Projection_to_target::Target::Index Index;
   auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
-  const std::size_t wanted = choose_parameter(get_parameter(np, parameter_tags::samples_per_facet), std::size_t(4));
+  const std::size_t requested_samples = choose_parameter(get_parameter(np, parameter_tags::samples_per_facet),
+                                                         std::size_t(4));
 
   // The centroid comes first. If it is not the centroid of a part, it does not vote.
-  const int parts = internal::parts_along_edge(wanted);
+  const int parts = internal::parts_along_edge(requested_samples);
   std::vector<std::array<double, 3> > samples = internal::centroids_of_parts(parts);
   const bool has_centroid = parts % 3 != 0;
   if(!has_centroid) samples.insert(samples.begin(), { 1 / 3., 1 / 3., 1 / 3. });

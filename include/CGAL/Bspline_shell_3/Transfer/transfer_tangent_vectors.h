@@ -192,7 +192,8 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
   auto&& visitor = internal::argument<Default_flow_visitor>(np, internal_np::visitor);
   const int symmetry = choose_parameter(get_parameter(np, parameter_tags::symmetry), 1);
   const bool is_linear = choose_parameter(get_parameter(np, parameter_tags::linear_reconstruction), false);
-  const std::size_t wanted = choose_parameter(get_parameter(np, parameter_tags::samples_per_facet), std::size_t(1));
+  const std::size_t requested_samples = choose_parameter(get_parameter(np, parameter_tags::samples_per_facet),
+                                                         std::size_t(1));
   CGAL_precondition(symmetry > 0);
 
   const auto& source = map.to_source().target();
@@ -206,7 +207,8 @@ Transfer_report transfer_tangent_vectors(const Map& map, SourceVectorMap source_
   typedef internal::Tangent_field Field;
   const Field field = is_linear ? Field::linear(source, std::move(vectors), symmetry)
                                 : Field::constant(source, std::move(vectors));
-  const std::vector<std::array<double, 3> > places = internal::centroids_of_parts(internal::parts_along_edge(wanted));
+  const std::vector<std::array<double, 3> > places = internal::centroids_of_parts(
+    internal::parts_along_edge(requested_samples));
   const auto normal = [&](Index facet) { return internal::eigen_vector(target.normal(facet)); };
 
   std::vector<internal::Tangent_sample> samples(target.number_of_facets() * places.size());

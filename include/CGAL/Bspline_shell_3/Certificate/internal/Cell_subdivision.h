@@ -48,11 +48,11 @@ public:
     : m_field(&field), m_examination(inner, outer), m_separating_depth(separating_depth)
   {}
 
-  // Appends the boxes of a cell, in the order of `Cover_boxes`. If `is_hopeless`, the cell may have fewer boxes, and
+  // Appends the boxes of a cell, in the order of `Cover_boxes`. If `gives_up`, the cell may have fewer boxes, and
   // those whose critical points seem to be in the shell are not subdivided.
-  void subdivide(std::uint32_t c, bool is_hopeless, std::vector<Cover_box>& boxes) const
+  void subdivide(std::uint32_t c, bool gives_up, std::vector<Cover_box>& boxes) const
   {
-    const std::size_t begin = boxes.size(), most_boxes = is_hopeless ? max_boxes_of_a_hopeless_cell : max_boxes;
+    const std::size_t begin = boxes.size(), most_boxes = gives_up ? max_boxes_after_giving_up : max_boxes;
     const std::vector<Direction> ends = ends_of_domain(m_field->cell(c).bbox());
     Cover_box whole = { c, { 0, 0, 0 }, 0, Box_kind::UNDECIDED };
     // Breadth first: if the number of boxes reaches its limit, they are of equal size.
@@ -62,8 +62,7 @@ public:
       Cover_box& box = parts[n].box;
       box.is_at_end = box.kind != Box_kind::EXCLUDED && !ends_in_shell(parts[n], ends).empty();
       const bool splits = box.kind == Box_kind::UNDECIDED
-                            ? box.depth < max_depth
-                                && !(is_hopeless && m_examination.seems_critical(parts[n].functions))
+                            ? box.depth < max_depth && !(gives_up && m_examination.seems_critical(parts[n].functions))
                             : (is_critical(box.kind) && box.depth < m_separating_depth)
                                 // parts inside must be separated from parts outside
                                 || (box.is_at_end && box.depth < max_depth_at_end);
@@ -139,7 +138,7 @@ private:
   static constexpr int max_depth = 7;        // halvings of a cell
   static constexpr int max_depth_at_end = 4; // halvings, if only the end of the domain is undecided
   // A cell with as many boxes is not subdivided further: if a critical point is in the shell, no depth decides its box.
-  static constexpr std::size_t max_boxes = 512, max_boxes_of_a_hopeless_cell = 64;
+  static constexpr std::size_t max_boxes = 512, max_boxes_after_giving_up = 64;
 
   static bool is_critical(Box_kind kind)
   {

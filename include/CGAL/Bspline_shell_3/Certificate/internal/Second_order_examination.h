@@ -46,7 +46,7 @@ public:
   typedef typename Cells::Sample Sample;
 
   Second_order_examination(const Cells& cells, const std::array<Sample, 3>& corners, const Facet_normal& normal,
-                           std::size_t most_bisections, double wanted_slope)
+                           std::size_t most_bisections, double target_slope)
     : m_cells(cells), m_normal(normal), m_bisections_left(most_bisections)
   {
     double reach = 0;
@@ -59,11 +59,11 @@ public:
     const Part part = { { &corners[0], &corners[1], &corners[2] }, 0, 0, false, false };
     const double length = std::sqrt(square(m_absolute_normal[0]) + square(m_absolute_normal[1])
                                     + square(m_absolute_normal[2]));
-    m_enough = wanted_slope * length * (1 + 32 * rounding);
+    m_enough = target_slope * length * (1 + 32 * rounding);
     m_result.is_contained = m_result.is_transversal = true;
-    bool is_hopeless = false;
-    for(const Sample& s : corners) is_hopeless = is_hopeless || fails(s, part);
-    if(!is_hopeless) find_cells(part);
+    bool fails_at_corner = false;
+    for(const Sample& s : corners) fails_at_corner = fails_at_corner || fails(s, part);
+    if(!fails_at_corner) find_cells(part);
     m_result.slope = m_result.is_transversal ? m_result.slope / length * (1 - 16 * rounding) : 0;
   }
 

@@ -25,10 +25,10 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// A lower bound of the quantity in question, per user unit. A proved bound suffices if it is at least `wanted`.
+// A lower bound of the quantity in question, per user unit. A proved bound suffices if it is at least `enough`.
 struct Least_value
 {
-  double wanted, value;
+  double enough, value;
 };
 
 // Bounds the roundings of the local coordinates of a point.
@@ -103,7 +103,7 @@ public:
   Simplex_decision(const Field& field, double largest_width, const Simplex& simplex, const Question& question,
                    Witness* witness, Predicate_statistics* statistics, Least_value* bound_below)
     : m_field(field), m_simplex(simplex), m_question(question), m_witness(witness), m_bound_below(bound_below),
-      m_statistics(statistics ? *statistics : m_unwanted_statistics), m_largest_width(largest_width),
+      m_statistics(statistics ? *statistics : m_own_statistics), m_largest_width(largest_width),
       m_extent(extent(simplex)), m_reach(reach(simplex)), m_plane(simplex, m_extent, m_reach)
   {}
 
@@ -230,7 +230,7 @@ private:
       const Cell_function& f = cell_function(c);
       const typename Field::Cell cell = m_field.cell(c);
       const double unit = m_question.unit(cell);
-      if(f.proved && !(m_bound_below && f.range.min < m_bound_below->wanted * unit)) {
+      if(f.proved && !(m_bound_below && f.range.min < m_bound_below->enough * unit)) {
         ++m_statistics.by_cell;
         least_on_part = (std::min)(least_on_part, f.range.min / unit);
         continue;
@@ -338,7 +338,7 @@ private:
   const Question& m_question;
   Witness* m_witness;
   Least_value* m_bound_below;
-  Predicate_statistics m_unwanted_statistics;
+  Predicate_statistics m_own_statistics;
   Predicate_statistics& m_statistics;
   double m_largest_width, m_extent, m_reach; // of a cell; of the simplex; largest absolute coordinate of the simplex
   Plane_of_simplex<size> m_plane;

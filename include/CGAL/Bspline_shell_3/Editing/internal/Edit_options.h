@@ -29,7 +29,7 @@ struct Edit_options
   Edge_constraints<TriangleMesh> constraints;
   bool freezes_rejected_facets = false;
   double max_seconds = std::numeric_limits<double>::infinity();
-  // stores the locations on the mesh to which points are projected; empty if they are not wanted
+  // stores the locations on the mesh to which points are projected; empty if none are requested
   std::function<void(const std::vector<std::array<double, 3> >&)> locate;
 };
 

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Minimizes s.H s / 2 - r.s + M sum_i max(0, wanted_i - g_i.s), where M is the largest multiplier.
+// Minimizes s.H s / 2 - r.s + M sum_i max(0, least_i - g_i.s), where M is the largest multiplier.
 //
 // This is done through the dual, a quadratic program with one multiplier 0 <= l_i <= M for each row g_i. The bound
 // makes the program elastic: rows that contradict each other get the multiplier M, and nothing diverges. Rows are added
@@ -39,15 +39,15 @@ public:
 
   // Adds rows, given as columns, and minimizes again.
   template <typename ConcurrencyTag>
-  void add(const Eigen::MatrixXd& rows, const Eigen::VectorXd& wanted)
+  void add(const Eigen::MatrixXd& rows, const Eigen::VectorXd& least)
   {
     constexpr std::size_t chunk = 16;
     const Eigen::Index old = m_W.cols(), more = rows.cols();
     m_W.conservativeResize(Eigen::NoChange, old + more);
     m_K.conservativeResize(old + more, old + more);
-    m_wanted.conservativeResize(old + more);
+    m_least.conservativeResize(old + more);
     m_multipliers.conservativeResize(old + more);
-    m_wanted.tail(more) = wanted;
+    m_least.tail(more) = least;
     m_multipliers.tail(more).setZero();
     const auto for_each_chunk_of_rows = [&](const auto& f) {
       for_each_chunk<ConcurrencyTag>(std::size_t(more), chunk, [&](std::size_t begin, std::size_t end) {
@@ -68,10 +68,10 @@ public:
   }
 
 private:
-  // Minimizes |W l|^2 / 2 - l.(wanted - W^T L^-1 r) over 0 <= l <= M, one multiplier after the other.
+  // Minimizes |W l|^2 / 2 - l.(least - W^T L^-1 r) over 0 <= l <= M, one multiplier after the other.
   void solve_dual()
   {
-    Eigen::VectorXd gap = m_wanted - m_W.transpose() * m_free - m_K * m_multipliers;
+    Eigen::VectorXd gap = m_least - m_W.transpose() * m_free - m_K * m_multipliers;
     for(int sweep = 0; sweep < slope_tuning.max_dual_sweeps; ++sweep) {
       double largest = 0;
       for(Eigen::Index m = 0; m < m_K.cols(); ++m) {
@@ -91,7 +91,7 @@ private:
   const Eigen::LLT<Eigen::MatrixXd>& m_factor; // H = L L^T
   Eigen::VectorXd m_free, m_step;              // L^-1 r, and the minimizer
   Eigen::MatrixXd m_W, m_K;                    // L^-1 G^T, where G has the rows g_i, and W^T W
-  Eigen::VectorXd m_wanted, m_multipliers;
+  Eigen::VectorXd m_least, m_multipliers;
 };
 
 } // namespace internal

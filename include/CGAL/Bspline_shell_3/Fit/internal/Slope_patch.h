@@ -214,17 +214,17 @@ private:
   {
     const Eigen::Index number = Eigen::Index(violated.size());
     Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(program.step().size(), number);
-    Vector wanted(number);
+    Vector least(number);
     for(Eigen::Index m = 0; m < number; ++m) {
       const Violation& v = violated[std::size_t(m)];
       const Slope_condition& condition = conditions.in_cell(v.cell->cell)[v.condition];
       const Local_vector local = conditions.row(condition, v.number);
       for(const typename Cell::Entry& e : v.cell->entries) rows(e.place, m) += e.weight * local[e.n];
       double& slack = v.cell->slacks[v.condition][v.number];
-      wanted[m] = slope_tuning.excess * std::abs(bounds(condition)[v.number]) - slack;
+      least[m] = slope_tuning.excess * std::abs(bounds(condition)[v.number]) - slack;
       slack = std::numeric_limits<double>::infinity();
     }
-    program.add<ConcurrencyTag>(rows, wanted);
+    program.add<ConcurrencyTag>(rows, least);
   }
 
   const Field* m_field;
