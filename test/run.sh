@@ -2,7 +2,7 @@
 # Installs missing packages (Debian 12), builds the tests and the examples, and runs them.
 #   bash test/run.sh [--all | --sanitize]
 # --all: also slow tests, benchmarks, the manual, and the tests with sanitizers.
-# --sanitize: only unit tests of indexing, proofs and I/O, with address and undefined-behavior sanitizers.
+# --sanitize: only fast unit tests of indexing, proofs and I/O, with address and undefined-behavior sanitizers.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mode=${1-}
@@ -35,7 +35,7 @@ test_with_sanitizers() {
   cmake --build "$build" --parallel "$(nproc)" --target shell_tests
   # Libraries allocate some memory once and never free it.
   ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1 \
-    ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)"
+    ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" --label-exclude slow
 }
 
 if [ "$mode" != --sanitize ]; then test_project; fi
