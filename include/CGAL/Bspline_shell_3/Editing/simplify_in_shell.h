@@ -198,7 +198,7 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
   const auto stop = choose_parameter<Never_stop_predicate>(get_parameter(np, tags::stop));
   options.stop = std::cref(stop);
   // a copy of a filter that was passed by value
-  const auto& filter = [&np]() -> decltype(auto) {
+  const auto& filter = [&]() -> decltype(auto) {
     if constexpr(is_default_parameter<CGAL_NP_CLASS, internal_np::filter_t>::value) return Permissive_filter();
     else return get_parameter_reference(np, internal_np::filter);
   }();
