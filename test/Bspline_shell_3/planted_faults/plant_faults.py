@@ -59,15 +59,20 @@ class Sources:
     def __init__(self):
         self.includers = collections.defaultdict(set)
         self.path_of_test = {}
-        top = os.path.join(ROOT, "include")
-        for folder in (top, os.path.join(ROOT, "test", "Bspline_shell_3")):
+        top, tests = os.path.join(ROOT, "include"), os.path.join(ROOT, "test", "Bspline_shell_3")
+        for folder in (top, tests):
             for path in (os.path.join(f, n) for f, _, names in os.walk(folder) for n in names if n.endswith((".h", ".cpp"))):
                 name = os.path.relpath(path, top)
                 if path.endswith(".cpp"):
                     name = os.path.basename(path).removesuffix(".cpp")
                     self.path_of_test[name] = path
-                for header in re.findall(r"#include <(CGAL/.*)>", open(path, encoding="utf-8").read()):
+                text = open(path, encoding="utf-8").read()
+                for header in re.findall(r"#include <(CGAL/.*)>", text):
                     self.includers[header].add(name)
+                for header in re.findall(r'#include "(.*)"', text):
+                    beside = os.path.join(os.path.dirname(path), header)
+                    header = beside if os.path.exists(beside) else os.path.join(tests, header)
+                    self.includers[os.path.relpath(header, top)].add(name)
 
     def tests(self, header):
         """Returns levels of tests: that of the header, others that include it, and those that include it indirectly."""
