@@ -31,7 +31,7 @@ std::vector<std::size_t> facets_within(const Mesh& mesh, std::size_t first, std:
 {
   std::vector<std::size_t> within;
   for(Mesh::Face_index f : mesh.faces()) {
-    bool is_within = f < first || f >= last;
+    bool is_within = std::size_t(f) < first || std::size_t(f) >= last;
     for(std::size_t n = first; n < last && is_within; ++n) {
       const auto t = corners(mesh, Mesh::Face_index(Mesh::size_type(n)));
       is_within = CGAL::orientation(t[0], t[1], t[2], centroid(mesh, f)) == CGAL::NEGATIVE;

@@ -329,7 +329,7 @@ TEST_CASE("Uniting parts: parts that intersect themselves, and wrong orientation
 
   for(const Mesh& mesh :
       { joined(cube(0, 1), reversed(cube(2, 3))),                                               // apart
-        joined(cube(0, 2), reversed(cube(1, 3))),                                               // not within
+        joined(cube(0, 4), reversed(cube(1, 4.5))),                                             // not within
         joined_all({ cube(0, 9), reversed(cube(1, 3)), reversed(cube(2, 4)) }),                 // cavities that meet
         joined_all({ cube(0, 9), reversed(cube(1, 5)), reversed(cube(2, 4)) }),                 // nested cavities
         joined_all({ cube(0, 9), reversed(cube(2, 4)), reversed(cube(1, 5)), cube(12, 13) }) }) // in another order
@@ -373,16 +373,18 @@ TEST_CASE("Uniting parts: solids that are apart from others keep their vertices 
 
 TEST_CASE("Uniting parts: an intersection too small for rounded coordinates is rejected with its facets")
 {
-  // The apex of the second part is within the first one by a few units in the last place.
-  const auto united_at_depth = [](double depth) {
-    const Mesh needle = reversed(mapped(pyramid(3, 1), [depth](const Point_3& p) {
-      return Point_3((1 - depth) + (1 - p.z()), 0.37 + 0.1 * p.x(), 0.41 + 0.1 * p.y());
+  // The apex of the second part is within the first one by a few units in the last place. Towards its base, it bends
+  // away such that coordinates increase.
+  const auto united_at_depth = [](double depth, double bend) {
+    const Mesh needle = reversed(mapped(pyramid(3, 1), [depth, bend](const Point_3& p) {
+      const double x = 1 - p.z(), y = p.x() + bend * x, z = p.y() + bend * x;
+      return Point_3((1 - depth) + x, 0.37 + 0.1 * y, 0.41 + 0.1 * z);
     }));
     REQUIRE(PMP::is_outward_oriented(needle));
     return United(joined(cube(0, 1), needle));
   };
   constexpr double eps = std::numeric_limits<double>::epsilon();
-  const United with_equal_points = united_at_depth(eps / 2), with_turned_facets = united_at_depth(2 * eps);
+  const United with_equal_points = united_at_depth(eps / 2, 2), with_turned_facets = united_at_depth(2 * eps, 0);
   CHECK(with_equal_points.report.status == BS::Unite_status::ROUNDED_BADLY);
   REQUIRE_FALSE(with_equal_points.report.offending_facets.empty());
   CHECK(with_equal_points.report.offending_facets.front() < 12);

@@ -129,6 +129,7 @@ private:
     m_solids.meets_others.assign(m_mesh.number_of_facet_origins, 0);
     std::vector<std::size_t> in_one_part;
     for(const auto& [f, g] : pairs) {
+      Run::poll();
       const std::size_t c = m_parts.of_facet[f], d = m_parts.of_facet[g];
       const Pair origins = std::minmax({ m_mesh.facet_origin[f], m_mesh.facet_origin[g] });
       if(c == d) in_one_part.insert(in_one_part.end(), { origins.first, origins.second });
