@@ -23,7 +23,7 @@ const char* const usage =
   "  --output PREFIX         prefix of the file names (default: shell)\n"
   "Writes\n"
   "  PREFIX.shell                the shell\n"
-  "  PREFIX_mesh.ply             the mesh of the shell: the repaired input, or a proxy\n"
+  "  PREFIX_mesh.ply             the mesh of the shell: the repaired input, the union of its parts, or a proxy\n"
   "  PREFIX_{inner,outer}.ply    the bounding surfaces of the shell\n"
   "  PREFIX_soup.ply             if there is a proxy: the input polygons, green where they are carried along curves,\n"
   "                              yellow where they are continued to the nearest point, gray where they are hidden\n"

@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Soup/Shell_of_soup_3.h>
 #include <CGAL/Bspline_shell_3/Soup/near_duplicates.h>
 #include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
+#include <CGAL/Bspline_shell_3/Soup/unite_parts.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
@@ -17,6 +18,7 @@
 #include <CGAL/certified_soup_proxy_3.h>
 
 #include <CGAL/Real_timer.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -33,8 +35,9 @@ namespace CGAL {
  * \brief builds a certified shell of the mesh that a polygon soup represents, or of a proxy mesh around the soup.
  *
  * The polygons are repaired (`Bspline_shells::repair_soup()`). If they then form a mesh, a shell of this mesh is built,
- * with a virtual closing if the mesh is open. If they do not, or if this shell is not certified, a proxy is built with
- * its shell (`certified_soup_proxy_3()`).
+ * with a virtual closing if the mesh is open. If the mesh intersects itself because closed parts are pushed into each
+ * other, the parts are united first (`Bspline_shells::unite_parts()`). If the polygons do not form a mesh, or if this
+ * shell is not certified, a proxy is built with its shell (`certified_soup_proxy_3()`).
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam NamedParameters a sequence of \ref BsplineShell3NamedParameters "named parameters"
@@ -71,12 +74,20 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
       result.invalid_parameter = BS::internal::invalid_position(soup, result.offending_simplices);
     if(result.mesh_status == BS::Shell_status::SUCCESS) {
       const auto build = [&] {
-        result.shell_of_mesh = certified_bspline_shell_3<ConcurrencyTag>(result.repaired_mesh, np);
+        result.shell_of_mesh = certified_bspline_shell_3<ConcurrencyTag>(result.own_mesh(), np);
         result.mesh_status = result.shell_of_mesh.status();
         result.offending_simplices = result.shell_of_mesh.report().offending_simplices;
         result.invalid_parameter = result.shell_of_mesh.report().invalid_parameter;
       };
       build();
+      if(result.mesh_status == BS::Shell_status::SELF_INTERSECTION && CGAL::is_closed(result.repaired_mesh)) {
+        auto united = std::make_shared<BS::United_mesh>();
+        result.unite_report = BS::unite_parts<ConcurrencyTag>(result.repaired_mesh, *united);
+        if(result.unite_report) {
+          result.united = std::move(united);
+          build();
+        }
+      }
       if(result.mesh_status == BS::Shell_status::INCONSISTENT_ORIENTATION
          && BS::orient_components(result.repaired_mesh)) {
         result.repairs.reversed_components = true;

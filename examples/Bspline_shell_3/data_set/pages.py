@@ -22,7 +22,7 @@ BLUE, RED, SOFT = "#336bd9", "#d94033", "#5b6472"
 
 # columns: key, title, format, description
 COLUMNS = (
-    ("kind", "Kind", str, "mesh of the shell: closed, truncated at singular vertices, virtually closed (an open mesh), or a proxy of a polygon soup"),
+    ("kind", "Kind", str, "mesh of the shell: closed, truncated at singular vertices, virtually closed (an open mesh), united (closed parts that intersect), or a proxy of a polygon soup"),
     ("facets", "Facets", "{:,}", "number of facets of the mesh or the proxy"),
     ("simplified_facets", "Simplified", "{:,}", "number of facets of the simplified mesh"),
     ("thickness", "Thickness", "{:.2f} %", "thickness of the shell, in percent of the longest side of the bounding box"),

@@ -82,6 +82,8 @@ TEST_CASE("Shell of a soup: a closed mesh in pieces gets a shell of itself")
   CHECK(contains(report, "\"kind\": \"closed\""));
   CHECK(contains(report, "\"file\": \"a \\\"file\\\"\""));
   CHECK_FALSE(contains(report, "proxy"));
+  CHECK_FALSE(contains(report, "united"));
+  CHECK(result.unite_report.status == BS::Unite_status::NOT_TRIED);
 }
 
 TEST_CASE("Shell of a soup: an open mesh is closed virtually, and wrongly oriented components are reversed")
@@ -95,6 +97,35 @@ TEST_CASE("Shell of a soup: an open mesh is closed virtually, and wrongly orient
   REQUIRE(hollow.is_certified());
   CHECK(hollow.kind() == BS::Shell_kind::CLOSED);
   CHECK(hollow.repairs.reversed_components);
+}
+
+TEST_CASE("Shell of a soup: closed parts that are pushed into each other get a shell of their union")
+{
+  const BS::Polygon_soup soup = soup_of(joined(sphere(3), sphere(2, 0.7, Point_3(1.1, 0.2, 0.1))));
+  const BS::Shell_of_soup_3 result = CGAL::certified_shell_of_soup_3(soup);
+  REQUIRE(result.is_certified());
+  CHECK(result.kind() == BS::Shell_kind::UNITED);
+  REQUIRE(result.united);
+  CHECK(&result.mesh() == &result.united->mesh);
+  CHECK(result.repaired_mesh.number_of_faces() == soup.polygons.size());
+  CHECK(contains(result.message(), "2 closed parts that are pushed into each other were united"));
+  const std::string report = report_of(result);
+  CHECK(contains(report, "\"kind\": \"united\""));
+  CHECK(contains(report, "\"united_parts\": {"));
+  CHECK_FALSE(contains(report, "proxy"));
+}
+
+TEST_CASE("Shell of a soup: if parts cannot be united, a proxy is built, and the message has the reason", "[slow]")
+{
+  const Mesh ball = sphere(2);
+  Mesh spiked = ball;
+  spiked.point(Mesh::Vertex_index(0)) = CGAL::ORIGIN - 2 * (ball.point(Mesh::Vertex_index(0)) - CGAL::ORIGIN);
+  const BS::Shell_of_soup_3 result = CGAL::certified_shell_of_soup_3(soup_of(spiked), parameters::alpha(0.2));
+  CHECK(result.mesh_status == BS::Shell_status::SELF_INTERSECTION);
+  CHECK_FALSE(result.united);
+  CHECK(result.unite_report.status == BS::Unite_status::PART_INTERSECTS_ITSELF);
+  CHECK(contains(result.mesh_message(), "a connected component intersects itself"));
+  CHECK(contains(report_of(result), "\"united_parts\": {"));
 }
 
 TEST_CASE("Near duplicates: points that are close to others, but not equal to them, are counted")

@@ -53,8 +53,9 @@ inline Components find_components(const Mesh_with_origins& m)
   return components;
 }
 
-// Returns the components that contain a point in front of the facet, with no other facet between. Returns nothing if
-// rounding leaves no such point near the middle of the facet.
+// Returns the components that contain a point in front of the facet, with no other facet between. If the mesh
+// intersects itself, other facets may coincide with this one. Returns nothing if rounding leaves no such point near the
+// middle of the facet.
 template <typename ConcurrencyTag>
 std::optional<std::vector<std::size_t> > components_around_front(Mesh_with_origins::Face_index f,
                                                                  const Mesh_with_origins& m,
@@ -73,7 +74,14 @@ std::optional<std::vector<std::size_t> > components_around_front(Mesh_with_origi
     const Kernel::Point_3 front = middle + step * normal;
     if(front == middle) return std::nullopt;
     const auto through = counter.crossings<ConcurrencyTag>(middle - step * normal, front);
-    if(!through || through->size() != 1 || (*through)[0] != std::make_pair(f, 1)) continue;
+    // Facets in the same plane are crossed at the same point.
+    const auto is_in_plane = [&](const auto& crossing) {
+      const auto u = m.triangle(crossing.first);
+      return std::all_of(u.begin(), u.end(), [&](const Kernel::Point_3& p) { return coplanar(t[0], t[1], t[2], p); });
+    };
+    if(!through || std::find(through->begin(), through->end(), std::make_pair(f, 1)) == through->end()
+       || !std::all_of(through->begin(), through->end(), is_in_plane))
+      continue;
     // Tries directions until one touches no edge; the directions are generic.
     const double reach = 8 * m.unit();
     for(const Kernel::Vector_3& way :

@@ -7,6 +7,8 @@
 #define CGAL_BSPLINE_SHELL_3_SOUP_SHELL_OF_SOUP_3_H
 
 #include <CGAL/Bspline_shell_3/Soup/Soup_proxy_3.h>
+#include <CGAL/Bspline_shell_3/Soup/Unite_report.h>
+#include <CGAL/Bspline_shell_3/Soup/United_mesh.h>
 #include <CGAL/Bspline_shell_3/Soup/near_duplicates.h>
 #include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
 #include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
@@ -28,6 +30,7 @@ enum class Shell_kind
   CLOSED,           ///< the mesh itself
   TRUNCATED,        ///< the mesh itself, with truncated tips (`Bspline_shell_3::truncation()`)
   VIRTUALLY_CLOSED, ///< the mesh itself, which is open, with triangles that close it; tips may be truncated
+  UNITED,           ///< the boundary of the union of the mesh's parts (`unite_parts()`); tips may be truncated
   PROXY             ///< a closed mesh around the polygons
 };
 
@@ -39,6 +42,7 @@ inline const char* name(Shell_kind kind)
     case Shell_kind::CLOSED: return "closed";
     case Shell_kind::TRUNCATED: return "truncated";
     case Shell_kind::VIRTUALLY_CLOSED: return "virtually closed";
+    case Shell_kind::UNITED: return "united";
     case Shell_kind::PROXY: return "proxy";
   }
   return "";
@@ -73,18 +77,20 @@ struct Shell_of_soup_3
 
   Soup_repairs repairs; ///< repairs that were made to obtain `repaired_mesh`
   /// the outcome for the polygons as a mesh, or the reason why they do not form one. If it is `SUCCESS`, the mesh has a
-  /// shell, which may be uncertified.
+  /// shell, which may be uncertified. If parts were united, it is the outcome for their union.
   Shell_status mesh_status = Shell_status::NOT_BUILT;
   /// the outcome for a proxy, which is tried unless the shell of the mesh is certified
   Shell_status proxy_status = Shell_status::NOT_BUILT;
-  /// facets and vertices that caused `mesh_status`: positions in the repaired mesh, or in the soup if there is no
-  /// repaired mesh
+  /// facets and vertices that caused `mesh_status`: positions in the united mesh, if there is one; otherwise, in the
+  /// repaired mesh, or in the soup if there is no repaired mesh
   Offending_simplices offending_simplices;
   /// if the mesh was rejected: the number of points close to another point (`number_of_near_duplicates()`)
   std::size_t near_duplicates = 0;
   Invalid_parameter invalid_parameter;       ///< the rejected parameter if a status is `INVALID_PARAMETER`
   Mesh repaired_mesh;                        ///< the polygons as a mesh, if they form one
-  Shell shell_of_mesh;                       ///< the shell of the repaired mesh
+  Unite_report unite_report;                 ///< the outcome of uniting parts, tried if a closed mesh intersects itself
+  std::shared_ptr<const United_mesh> united; ///< not null if parts of the repaired mesh were united
+  Shell shell_of_mesh;                       ///< the shell of `own_mesh()`
   std::shared_ptr<const Soup_proxy_3> proxy; ///< not null if the result is a proxy, whose shell is certified
   double seconds = 0;                        ///< total time, in seconds
 
@@ -93,11 +99,14 @@ struct Shell_of_soup_3
   {
     CGAL_precondition(bool(shell()));
     return proxy                        ? Shell_kind::PROXY
+           : united                     ? Shell_kind::UNITED
            : shell_of_mesh.closing()    ? Shell_kind::VIRTUALLY_CLOSED
            : shell_of_mesh.truncation() ? Shell_kind::TRUNCATED
                                         : Shell_kind::CLOSED;
   }
-  const Mesh& mesh() const { return proxy ? proxy->mesh() : repaired_mesh; } ///< the mesh of the shell
+  /// returns the union of the repaired mesh's parts, if they were united; otherwise, the repaired mesh
+  const Mesh& own_mesh() const { return united ? united->mesh : repaired_mesh; }
+  const Mesh& mesh() const { return proxy ? proxy->mesh() : own_mesh(); } ///< the mesh of the shell
   const Shell& shell() const { return proxy ? proxy->shell() : shell_of_mesh; }
   explicit operator bool() const { return bool(shell()); } ///< whether there is a shell
   /// returns `SUCCESS`, or the reason why there is no shell
@@ -106,19 +115,21 @@ struct Shell_of_soup_3
     return shell() ? Shell_status::SUCCESS : internal::ends_all_attempts(proxy_status) ? proxy_status : mesh_status;
   }
   bool is_certified() const { return shell().is_certified(); }
-  /// returns the outcome for the polygons as a mesh in one or two sentences; for a proxy, the reason for using it
+  /// returns the outcome for the polygons as a mesh in a few sentences; for a proxy, the reason for using it
   std::string mesh_message() const
   {
-    if(mesh_status == Shell_status::SUCCESS) return shell_of_mesh.message();
+    std::string text;
+    if(unite_report.status != Unite_status::NOT_TRIED) text = Bspline_shells::message(unite_report) + " ";
+    if(mesh_status == Shell_status::SUCCESS) return text + shell_of_mesh.message();
     const bool has_proxy = proxy_status != Shell_status::NOT_BUILT;
-    std::string text = has_proxy ? internal::message_beside_proxy(mesh_status)
-                                 : Bspline_shells::message(mesh_status, invalid_parameter);
+    text += has_proxy ? internal::message_beside_proxy(mesh_status)
+                      : Bspline_shells::message(mesh_status, invalid_parameter);
     if(near_duplicates > 0)
       text += " In the input, " + std::to_string(near_duplicates)
               + " points are closer to another point than 1e-6 of the bounding box: merge them.";
     return text;
   }
-  /// returns the outcome in one or two sentences
+  /// returns the outcome in a few sentences
   std::string message() const
   {
     if(proxy) return proxy->message();

@@ -102,9 +102,9 @@ private:
  * \brief writes a report on a shell and its construction as a JSON object.
  *
  * The object contains the status, the kind of shell, a message, the repairs, sizes, claims, times and, if the shell is
- * not certified, the obstacles. It also contains how holes were closed or, for a proxy, which share of the area the
- * proxy represents and why the mesh itself has no certified shell. Lengths are in the units of the coordinates, and
- * times in seconds. Offending facets and vertices are `Shell_of_soup_3::offending_simplices`.
+ * not certified, the obstacles. It also contains how parts were united, how holes were closed or, for a proxy, which
+ * share of the area the proxy represents and why the mesh itself has no certified shell. Lengths are in the units of
+ * the coordinates, and times in seconds. Offending facets and vertices are `Shell_of_soup_3::offending_simplices`.
  *
  * \param out a stream; its format flags and locale are restored
  * \param result the shell
@@ -134,6 +134,12 @@ inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const
       "split_polygons", repairs.split_polygons)("duplicate_polygons", repairs.duplicate_polygons)(
       "reversed_polygons", repairs.reversed_polygons)("degenerate_facets", repairs.degenerate_facets)(
       "reversed_components", repairs.reversed_components);
+    const Unite_report& unite = result.unite_report;
+    if(unite.status != Unite_status::NOT_TRIED)
+      object("united_parts")("message", message(unite))("facets", unite.offending_facets)("parts", unite.parts)(
+        "solids", unite.solids)("united_solids", unite.united_solids)("groups", unite.groups)(
+        "hidden_facets", unite.hidden_facets)("partly_hidden_facets", unite.partly_hidden_facets)(
+        "coplanar_pairs", unite.coplanar_pairs)("hidden_area", unite.hidden_area)("seconds", unite.seconds);
     if(result.mesh_status != Shell_status::SUCCESS || result.proxy) {
       const Offending_simplices& offenders = result.offending_simplices;
       object("mesh_itself")("message", result.mesh_message())("facets", offenders.facets)(
