@@ -134,6 +134,11 @@ inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const
       "split_polygons", repairs.split_polygons)("duplicate_polygons", repairs.duplicate_polygons)(
       "reversed_polygons", repairs.reversed_polygons)("degenerate_facets", repairs.degenerate_facets)(
       "reversed_components", repairs.reversed_components);
+    const Weld_report& weld = result.weld;
+    if(!weld.is_none())
+      object("weld")("unit", weld.unit)("tolerance", weld.tolerance)("welded_points", weld.welded_points)(
+        "split_edges", weld.split_edges)("undone_clusters", weld.undone_clusters)(
+        "border_edges_before", weld.border_edges_before)("border_edges_after", weld.border_edges_after);
     if(result.mesh_status != Shell_status::SUCCESS || result.proxy) {
       const Offending_simplices& offenders = result.offending_simplices;
       object("mesh_itself")("message", result.mesh_message())("facets", offenders.facets)(
