@@ -320,7 +320,7 @@ TEST_CASE("Weld: border vertices on a border edge split it")
   CHECK(welded.provenance.polygon_of == Polygon{ 0, 0, 0, 1, 2, 3, 4, 5 });
   CHECK(std::count(welded.provenance.change.begin(), welded.provenance.change.end(), BS::Weld_change::SPLIT) == 3);
   CHECK(message(welded.report)
-        == "2 points were welded (within 0.01), and 1 edges were split: of 10 border edges, 6 are left.");
+        == "2 points were welded (within 0.01), and 1 edge was split: of 10 border edges, 6 are left.");
   const BS::Shell_of_soup_3 result = repaired_and_welded(soup, within(0.01));
   REQUIRE(result.mesh_status == BS::Shell_status::SUCCESS);
   CHECK(result.repaired_mesh.number_of_faces() == 8);
@@ -454,6 +454,29 @@ TEST_CASE("Weld: a cube whose facets were rounded one by one is closed again")
     CHECK(result.offending_simplices.facets.empty());
     CHECK(result.offending_simplices.vertices.empty());
   }
+}
+
+TEST_CASE("Weld: edges inside of the soup are not counted as border edges")
+{
+  BS::Polygon_soup soup;
+  for(int x = -4; x <= 4; ++x)
+    for(int y = -4; y <= 4; ++y) soup.points.emplace_back(x, y, 0);
+  for(std::size_t i = 0; i < 8; ++i)
+    for(std::size_t j = 0; j < 8; ++j) {
+      const std::size_t p = 9 * i + j;
+      soup.polygons.push_back({ p, p + 9, p + 10 });
+      soup.polygons.push_back({ p, p + 10, p + 1 });
+    }
+  const std::size_t center = 40, copy = soup.points.size();
+  soup.points.push_back(soup.points[center] + Vector_3(0.005, 0, 0));
+  const auto at_center = std::find_if(soup.polygons.begin(), soup.polygons.end(), [&](const Polygon& t) {
+    return std::find(t.begin(), t.end(), center) != t.end();
+  });
+  std::replace(at_center->begin(), at_center->end(), center, copy);
+  const BS::Weld_report report = report_of(soup, within(0.01));
+  CHECK(report.welded_points == 1);
+  CHECK(report.border_edges_before == 32 + 4);
+  CHECK(report.border_edges_after == 32);
 }
 
 TEST_CASE("Weld: a cube of different triangulations on its sides is closed again")

@@ -41,9 +41,12 @@ inline std::string message(const Weld_report& report)
 {
   std::ostringstream out;
   out.precision(2);
+  const auto number = [](std::size_t n, const std::string& noun) {
+    return std::to_string(n) + " " + noun + (n == 1 ? " was" : "s were");
+  };
   if(!report.is_none()) {
-    out << report.welded_points << " points were welded (within " << report.tolerance << ")";
-    if(report.split_edges > 0) out << ", and " << report.split_edges << " edges were split";
+    out << number(report.welded_points, "point") << " welded (within " << report.tolerance << ")";
+    if(report.split_edges > 0) out << ", and " << number(report.split_edges, "edge") << " split";
     out << ": of " << report.border_edges_before << " border edges, " << report.border_edges_after << " are left.";
   } else if(report.is_too_coarse && report.border_edges_before > 0) {
     out << "Coordinates that are rounded to " << report.unit

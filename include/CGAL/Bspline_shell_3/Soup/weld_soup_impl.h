@@ -282,7 +282,7 @@ private:
     std::vector<std::pair<std::size_t, std::size_t> > sides;
     std::vector<std::size_t> corners, polygons, vertices, invalid;
     for_each_edge(edge_uses(m_current, m_soup.points.size(), invalid), [&](auto first, auto last) {
-      if(last - first > 1) return;
+      if(last - first > 1 || !m_is_border_side[first->first_corner()]) return;
       sides.push_back(first->is_forward ? std::make_pair(first->lower, first->upper)
                                         : std::make_pair(first->upper, first->lower));
       corners.push_back(first->first_corner());
@@ -359,11 +359,10 @@ private:
     Disjoint_sets fans(vertex_of.size());
     m_border_edges_after = 0;
     for_each_edge(edge_uses(m_current, m_soup.points.size(), invalid), [&](auto first, auto last) {
-      if(last - first == 1) ++m_border_edges_after;
-      const bool is_new = last - first > 1 && std::any_of(first, last, [&](const Edge_use& use) {
-                            return m_is_border_side[m_raw_corner[use.first_corner()]];
-                          });
-      if(is_new && (last - first > 2 || first->is_forward == (first + 1)->is_forward))
+      const bool has_border_side = std::any_of(
+        first, last, [&](const Edge_use& use) { return m_is_border_side[m_raw_corner[use.first_corner()]]; });
+      if(has_border_side && last - first == 1) ++m_border_edges_after;
+      if(has_border_side && last - first > 1 && (last - first > 2 || first->is_forward == (first + 1)->is_forward))
         refuse_edge(first, last, vertex_of);
       for(auto use = first; use != last; ++use) {
         fans.join(first->lower_corner, use->lower_corner);
