@@ -320,7 +320,7 @@ TEST_CASE("Weld: border vertices on a border edge split it")
   CHECK(welded.provenance.polygon_of == Polygon{ 0, 0, 0, 1, 2, 3, 4, 5 });
   CHECK(std::count(welded.provenance.change.begin(), welded.provenance.change.end(), BS::Weld_change::SPLIT) == 3);
   CHECK(message(welded.report)
-        == "2 points were welded (within 0.01), and 1 edge was split: of 10 border edges, 6 are left.");
+        == "2 points were welded and 1 edge was split (within 0.01): of 10 border edges, 6 are left.");
   const BS::Shell_of_soup_3 result = repaired_and_welded(soup, within(0.01));
   REQUIRE(result.mesh_status == BS::Shell_status::SUCCESS);
   CHECK(result.repaired_mesh.number_of_faces() == 8);

@@ -45,9 +45,11 @@ inline std::string message(const Weld_report& report)
     return std::to_string(n) + " " + noun + (n == 1 ? " was" : "s were");
   };
   if(!report.is_none()) {
-    out << number(report.welded_points, "point") << " welded (within " << report.tolerance << ")";
-    if(report.split_edges > 0) out << ", and " << number(report.split_edges, "edge") << " split";
-    out << ": of " << report.border_edges_before << " border edges, " << report.border_edges_after << " are left.";
+    if(report.welded_points > 0) out << number(report.welded_points, "point") << " welded";
+    if(report.welded_points > 0 && report.split_edges > 0) out << " and ";
+    if(report.split_edges > 0) out << number(report.split_edges, "edge") << " split";
+    out << " (within " << report.tolerance << "): of " << report.border_edges_before << " border edges, "
+        << report.border_edges_after << " are left.";
   } else if(report.is_too_coarse && report.border_edges_before > 0) {
     out << "Coordinates that are rounded to " << report.unit
         << " are too coarse to close cracks: subtract an offset before they are rounded, or set weld_tolerance.";
