@@ -388,6 +388,12 @@ TEST_CASE("Weld: an edge is split only by vertices that are close, and if normal
   CHECK(report_of(with_vertex(0.0075, 0.0075, 1), within(0.01)).is_none());
   CHECK(report_of(with_vertex(0, 0.009, 0.12), within(0.01)).split_edges == 1);
   CHECK(report_of(with_vertex(0, 0.009, 0.08), within(0.01)).is_none());
+  BS::Polygon_soup two = with_vertex(0, 0.009, 0.08); // another sheet is still welded
+  BS::Polygon_soup other = cracked_sheet(0.005);
+  for(Point_3& p : other.points) p = p + Vector_3(0, 0, 1);
+  add(two, other.points, other.polygons);
+  CHECK(report_of(two, within(0.01)).split_edges == 0);
+  CHECK(report_of(two, within(0.01)).welded_points == 2);
 }
 
 TEST_CASE("Weld: neighbors of different orientation and edges of three facets elsewhere do not matter")
@@ -414,6 +420,10 @@ TEST_CASE("Weld: the default distance is four units, reduced near short edges an
   CHECK(report_of(strip(4 * unit, 37 * unit), parameters).welded_points == 2); // shortest edge: 33 units
   CHECK(report_of(strip(4 * unit, 35 * unit), parameters).is_none());
   CHECK(report_of(strip(4 * unit, 35 * unit), within(4 * unit)).welded_points == 2);
+  BS::Polygon_soup narrow = strip(4 * unit, 1);
+  narrow.points[0] = Point_3(1 - 31 * unit, 0, 0);
+  narrow.points[3] = Point_3(1 - 31 * unit, 1, 0);
+  CHECK(report_of(narrow, parameters).is_none());
   parameters.thickness = 401 * unit;
   CHECK(report_of(strip(4 * unit, 1), parameters).welded_points == 2);
   CHECK_FALSE(report_of(strip(4 * unit, 1), parameters).is_too_coarse);
