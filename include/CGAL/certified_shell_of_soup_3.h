@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Soup/Shell_of_soup_3.h>
 #include <CGAL/Bspline_shell_3/Soup/near_duplicates.h>
+#include <CGAL/Bspline_shell_3/Soup/repair_and_weld.h>
 #include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
 #include <CGAL/Bspline_shell_3/Soup/unite_parts.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
@@ -34,17 +35,28 @@ namespace CGAL {
  *
  * \brief builds a certified shell of the mesh that a polygon soup represents, or of a proxy mesh around the soup.
  *
- * The polygons are repaired (`Bspline_shells::repair_soup()`). If they then form a mesh, a shell of this mesh is built,
- * with a virtual closing if the mesh is open. If the mesh intersects itself because closed parts are pushed into each
- * other, the parts are united first (`Bspline_shells::unite_parts()`). If the polygons do not form a mesh, or if this
- * shell is not certified, a proxy is built with its shell (`certified_soup_proxy_3()`).
+ * The polygons are repaired (`Bspline_shells::repair_soup()`). If they are not closed, cracks between points that
+ * differ in the last digits are closed, too (`Bspline_shells::weld_soup()`). If the polygons then form a mesh, a shell
+ * of this mesh is built, with a virtual closing if the mesh is open. If the mesh intersects itself because closed parts
+ * are pushed into each other, the parts are united first (`Bspline_shells::unite_parts()`). If the polygons do not form
+ * a mesh, or if this shell is not certified, a proxy is built with its shell (`certified_soup_proxy_3()`).
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam NamedParameters a sequence of \ref BsplineShell3NamedParameters "named parameters"
  * \param soup the polygons, as returned by `Bspline_shells::read_polygon_soup()`
- * \param np optional named parameters: those of `certified_soup_proxy_3()` and, for the shell of the mesh, those of
- *   `certified_bspline_shell_3()`. The `time_limit()` applies to the mesh and the proxy together; once it is reached,
- *   no further attempt begins. Limits of effort and memory apply to each attempt.
+ * \param np optional named parameters:
+ *   \cgalNamedParamsBegin
+ *     \cgalParamNBegin{weld_tolerance}
+ *       \cgalParamDescription{distance of points that are welded where this closes cracks, in the units of the
+ *         coordinates; at least 0, and finite. All checks of `Bspline_shells::weld_soup()` apply to it.}
+ *       \cgalParamType{`double`}
+ *       \cgalParamDefault{four units in the last digit of the coordinates, or less if edges or the shell are small}
+ *     \cgalParamNEnd
+ *   \cgalNamedParamsEnd
+ *   Others are those of `certified_soup_proxy_3()` and, for the shell of the mesh, those of
+ *   `certified_bspline_shell_3()`. With `closing()`, nothing is welded, as the border of the mesh must not change. The
+ *   `time_limit()` applies to the mesh and the proxy together; once it is reached, no further attempt begins. Limits of
+ *   effort and memory apply to each attempt.
  * \return the shell and its kind. If neither shell is certified, the shell of the mesh is returned if it was built.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -52,8 +64,10 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
                                                           const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   namespace BS = Bspline_shells;
+  namespace tags = Bspline_shells::parameter_tags;
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
+  using CGAL::parameters::is_default_parameter;
   const double max_seconds = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
                                               std::numeric_limits<double>::infinity());
   auto&& visitor = BS::internal::argument<BS::Default_shell_visitor>(np, internal_np::visitor);
@@ -63,13 +77,24 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
 
   BS::Shell_of_soup_3 result;
   result.invalid_parameter.check("time_limit", max_seconds, BS::Parameter_bounds::positive_or_infinite());
+  BS::Weld_parameters welding;
+  welding.relative_thickness = choose_parameter(get_parameter(np, tags::relative_thickness),
+                                                welding.relative_thickness);
+  if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::thickness_t>::value)
+    welding.thickness = get_parameter(np, tags::thickness);
+  if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::weld_tolerance_t>::value) {
+    welding.tolerance = get_parameter(np, tags::weld_tolerance);
+    result.invalid_parameter.check("weld_tolerance", *welding.tolerance, BS::Parameter_bounds::not_negative());
+  }
   if(result.invalid_parameter) {
     result.mesh_status = BS::Shell_status::INVALID_PARAMETER;
     return result;
   }
   BS::Shell_status* status = &result.mesh_status; // or that of the proxy, once it is tried
   const auto attempt_all = [&] {
-    result.mesh_status = BS::repair_soup(soup, result.repaired_mesh, result.repairs, result.offending_simplices);
+    if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::closing_t>::value)
+      BS::internal::repair_and_weld(soup, welding, result);
+    else result.mesh_status = BS::repair_soup(soup, result.repaired_mesh, result.repairs, result.offending_simplices);
     if(result.mesh_status == BS::Shell_status::INVALID_PARAMETER)
       result.invalid_parameter = BS::internal::invalid_position(soup, result.offending_simplices);
     if(result.mesh_status == BS::Shell_status::SUCCESS) {
@@ -100,7 +125,7 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
       case BS::Shell_status::NOT_ORIENTABLE:
       case BS::Shell_status::NOT_CLOSABLE:
       case BS::Shell_status::SELF_INTERSECTION:
-        result.near_duplicates = BS::number_of_near_duplicates(soup.points);
+        if(result.weld.is_none()) result.near_duplicates = BS::number_of_near_duplicates(soup.points);
         break;
       default: break;
     }

@@ -5,6 +5,7 @@
 
 #include <CGAL/Bspline_shell_3/Soup/Soup_mesh_3_impl.h>
 #include <CGAL/Bspline_shell_3/Soup/repair_soup_impl.h>
+#include <CGAL/Bspline_shell_3/Soup/weld_soup_impl.h>
 #include <CGAL/Bspline_shell_3/Soup/wrap_soup_impl.h>
 
 #include <CGAL/tags.h>

@@ -86,6 +86,27 @@ TEST_CASE("Shell of a soup: a closed mesh in pieces gets a shell of itself")
   CHECK(result.unite_report.status == BS::Unite_status::NOT_TRIED);
 }
 
+TEST_CASE("Shell of a soup: facets with corners that do not quite meet are welded, and the message says so")
+{
+  BS::Polygon_soup soup = soup_of(sphere(3));
+  for(std::size_t n = 0; n < soup.polygons.size(); n += 3) {
+    std::size_t& v = soup.polygons[n][0];
+    soup.points.push_back(soup.points[v] + Vector_3(1e-6, 0, 0));
+    v = soup.points.size() - 1;
+  }
+  const BS::Shell_of_soup_3 result = CGAL::certified_shell_of_soup_3(soup, parameters::weld_tolerance(2e-6));
+  REQUIRE(result.is_certified());
+  CHECK(result.kind() == BS::Shell_kind::CLOSED);
+  CHECK(result.weld.border_edges_after == 0);
+  CHECK(result.weld_provenance.polygon_of.size() == soup.polygons.size());
+  CHECK(contains(result.message(), " points were welded (within 2e-06)"));
+  CHECK(contains(report_of(result), "\"weld\": {"));
+
+  const BS::Shell_of_soup_3 invalid = CGAL::certified_shell_of_soup_3(soup, parameters::weld_tolerance(-1.));
+  CHECK(invalid.status() == BS::Shell_status::INVALID_PARAMETER);
+  CHECK(invalid.invalid_parameter.name == std::string("weld_tolerance"));
+}
+
 TEST_CASE("Shell of a soup: an open mesh is closed virtually, and wrongly oriented components are reversed")
 {
   const BS::Shell_of_soup_3 open = CGAL::certified_shell_of_soup_3(band(0));

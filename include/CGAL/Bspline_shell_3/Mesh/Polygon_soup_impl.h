@@ -7,8 +7,9 @@
 #define CGAL_BSPLINE_SHELL_3_MESH_POLYGON_SOUP_IMPL_H
 
 #include <CGAL/Bspline_shell_3/Mesh/Polygon_soup.h>
+#include <CGAL/Bspline_shell_3/Mesh/edge_uses.h>
 #include <CGAL/Bspline_shell_3/Mesh/triangulate_polygon.h>
-#include <CGAL/Bspline_shell_3/Support/Run.h>
+#include <CGAL/Bspline_shell_3/Support/Disjoint_sets.h>
 #include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -20,18 +21,12 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
-
-inline void sort_and_remove_repetitions(std::vector<std::size_t>& positions)
-{
-  sort_unique(positions);
-}
 
 CGAL_BSPLINE_SHELL_3_INLINE Shell_status check_soup(const Polygon_soup& soup, Offending_simplices& offenders)
 {
@@ -117,67 +112,6 @@ struct Orientation_notes : Polygon_mesh_processing::Default_orientation_visitor
   std::size_t& turned;
 };
 
-// An edge of a polygon. If `is_forward`, the polygon traverses it from the lower vertex to the upper vertex. Corners
-// are numbered polygon by polygon.
-struct Edge_use
-{
-  std::size_t lower, upper, polygon, lower_corner, upper_corner;
-  bool is_forward;
-
-  bool has_same_edge(const Edge_use& other) const { return lower == other.lower && upper == other.upper; }
-  bool operator<(const Edge_use& other) const
-  {
-    return std::tie(lower, upper, polygon) < std::tie(other.lower, other.upper, other.polygon);
-  }
-};
-
-// Returns the edges of all polygons, sorted. Polygons with fewer than three corners or with a repeated vertex are
-// offenders.
-inline std::vector<Edge_use> edge_uses(const Polygon_soup& soup, std::vector<std::size_t>& offenders)
-{
-  std::vector<std::size_t> sorted;
-  for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
-    sorted = soup.polygons[p];
-    std::sort(sorted.begin(), sorted.end());
-    if(sorted.size() < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) offenders.push_back(p);
-  }
-  if(!offenders.empty()) return {};
-  // Sorts by the lower vertex first, which few edges share.
-  const auto for_each_side = [&](const auto& f) {
-    std::size_t first = 0; // first corner of the polygon
-    for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
-      const std::vector<std::size_t>& polygon = soup.polygons[p];
-      for(std::size_t i = 0; i < polygon.size(); ++i) {
-        const std::size_t next = (i + 1) % polygon.size(), a = polygon[i], b = polygon[next];
-        f(a < b ? Edge_use{ a, b, p, first + i, first + next, true }
-                : Edge_use{ b, a, p, first + next, first + i, false });
-      }
-      first += polygon.size();
-    }
-  };
-  std::vector<std::size_t> begin(soup.points.size() + 1, 0);
-  for_each_side([&](const Edge_use& use) { ++begin[use.lower + 1]; });
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Edge_use> uses(begin.back());
-  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for_each_side([&](const Edge_use& use) { uses[next[use.lower]++] = use; });
-  for(std::size_t v = 0; v < soup.points.size(); ++v)
-    std::sort(uses.begin() + std::ptrdiff_t(begin[v]), uses.begin() + std::ptrdiff_t(begin[v + 1]));
-  return uses;
-}
-
-// Calls f(first, last) for the uses of each edge.
-template <typename Function>
-inline void for_each_edge(const std::vector<Edge_use>& uses, const Function& f)
-{
-  std::size_t number = 0;
-  for(auto first = uses.begin(), last = first; first != uses.end(); first = last) {
-    if(++number % 1024 == 0) Run::poll();
-    while(last != uses.end() && last->has_same_edge(*first)) ++last;
-    f(first, last);
-  }
-}
-
 // Finds the defects that prevent polygons from being a mesh. After some polygons are reversed, the two polygons at an
 // edge must traverse it in opposite directions. If the required reversals contradict each other, the surface is
 // one-sided.
@@ -188,7 +122,7 @@ inline Shell_status diagnose_polygons(const std::vector<Edge_use>& uses, std::si
     if(last - first > 2) std::for_each(first, last, [&](const Edge_use& use) { offenders.push_back(use.polygon); });
   });
   if(!offenders.empty()) {
-    sort_and_remove_repetitions(offenders);
+    sort_unique(offenders);
     return Shell_status::NON_MANIFOLD;
   }
   // union-find with parities
@@ -220,7 +154,7 @@ inline Shell_status diagnose_polygons(const std::vector<Edge_use>& uses, std::si
       turned[ra] = char(pa ^ pb ^ differ);
     }
   });
-  sort_and_remove_repetitions(offenders);
+  sort_unique(offenders);
   return offenders.empty() ? Shell_status::SUCCESS : Shell_status::NOT_ORIENTABLE;
 }
 
@@ -228,29 +162,24 @@ inline Shell_status diagnose_polygons(const std::vector<Edge_use>& uses, std::si
 // polygons around a vertex form one fan.
 inline bool are_mesh(const std::vector<Edge_use>& uses, const Polygon_soup& soup)
 {
-  // union-find of corners at the same vertex that share an edge
+  // Corners at the same vertex are in one set if their polygons share an edge.
   std::size_t corners = 0;
   for(const auto& polygon : soup.polygons) corners += polygon.size();
-  std::vector<std::size_t> parent(corners);
-  std::iota(parent.begin(), parent.end(), std::size_t(0));
-  const auto root = [&](std::size_t c) {
-    for(; parent[c] != c; c = parent[c]) parent[c] = parent[parent[c]];
-    return c;
-  };
+  Disjoint_sets fans(corners);
   bool agree = true;
   for_each_edge(uses, [&](auto first, auto last) {
     if(last - first == 1) return;
     const auto second = first + 1;
     agree = agree && last - first == 2 && first->is_forward != second->is_forward;
-    parent[root(first->lower_corner)] = root(second->lower_corner);
-    parent[root(first->upper_corner)] = root(second->upper_corner);
+    fans.join(first->lower_corner, second->lower_corner);
+    fans.join(first->upper_corner, second->upper_corner);
   });
   if(!agree) return false;
   std::vector<char> has_fan(soup.points.size(), 0);
   std::size_t c = 0;
   for(const auto& polygon : soup.polygons)
     for(std::size_t v : polygon) {
-      if(parent[c] == c) {
+      if(fans.root(c) == c) {
         if(has_fan[v]) return false;
         has_fan[v] = 1;
       }
@@ -264,14 +193,14 @@ CGAL_BSPLINE_SHELL_3_INLINE Shell_status orient_soup(Polygon_soup& soup, Offendi
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
   turned = 0;
-  const std::vector<Edge_use> uses = edge_uses(soup, offenders.facets);
+  const std::vector<Edge_use> uses = edge_uses(soup.polygons, soup.points.size(), offenders.facets);
   if(!offenders.facets.empty()) return Shell_status::DEGENERATE_FACET;
   const Shell_status status = diagnose_polygons(uses, soup.polygons.size(), offenders.facets);
   if(status != Shell_status::SUCCESS) return status;
   if(are_mesh(uses, soup)) return Shell_status::SUCCESS; // the most frequent case
   PMP::orient_polygon_soup(soup.points, soup.polygons,
                            CGAL::parameters::visitor(Orientation_notes(offenders.vertices, turned)));
-  sort_and_remove_repetitions(offenders.vertices);
+  sort_unique(offenders.vertices);
   return offenders.vertices.empty() && PMP::is_polygon_soup_a_polygon_mesh(soup.polygons) ? Shell_status::SUCCESS
                                                                                           : Shell_status::NON_MANIFOLD;
 }

@@ -11,6 +11,7 @@
 #include <CGAL/Bspline_shell_3/Soup/United_mesh.h>
 #include <CGAL/Bspline_shell_3/Soup/near_duplicates.h>
 #include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
+#include <CGAL/Bspline_shell_3/Soup/weld_soup.h>
 #include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 
@@ -76,6 +77,9 @@ struct Shell_of_soup_3
   typedef Soup_proxy_3::Shell Shell;
 
   Soup_repairs repairs; ///< repairs that were made to obtain `repaired_mesh`
+  Weld_report weld;     ///< cracks that were closed to obtain `repaired_mesh`, or the reason why none were
+  /// if the soup was welded: the origin of each polygon of the welded soup, of which `repaired_mesh` was made
+  Weld_provenance weld_provenance;
   /// the outcome for the polygons as a mesh, or the reason why they do not form one. If it is `SUCCESS`, the mesh has a
   /// shell, which may be uncertified. If parts were united, it is the outcome for their union.
   Shell_status mesh_status = Shell_status::NOT_BUILT;
@@ -118,6 +122,22 @@ struct Shell_of_soup_3
   /// returns the outcome for the polygons as a mesh in a few sentences; for a proxy, the reason for using it
   std::string mesh_message() const
   {
+    const std::string welding = Bspline_shells::message(weld);
+    const bool concerns_welding = !welding.empty() && !(weld.is_none() && shell_of_mesh.is_certified());
+    return message_without_welding() + (concerns_welding ? " " + welding : "");
+  }
+  /// returns the outcome in a few sentences
+  std::string message() const
+  {
+    if(proxy) return proxy->message();
+    if(!shell() && internal::ends_all_attempts(proxy_status))
+      return Bspline_shells::message(proxy_status, invalid_parameter);
+    return shell() || status() == mesh_status ? mesh_message() : Bspline_shells::message(status(), invalid_parameter);
+  }
+
+private:
+  std::string message_without_welding() const
+  {
     std::string text;
     if(unite_report.status != Unite_status::NOT_TRIED) text = Bspline_shells::message(unite_report) + " ";
     if(mesh_status == Shell_status::SUCCESS) return text + shell_of_mesh.message();
@@ -128,14 +148,6 @@ struct Shell_of_soup_3
       text += " In the input, " + std::to_string(near_duplicates)
               + " points are closer to another point than 1e-6 of the bounding box: merge them.";
     return text;
-  }
-  /// returns the outcome in a few sentences
-  std::string message() const
-  {
-    if(proxy) return proxy->message();
-    if(!shell() && internal::ends_all_attempts(proxy_status))
-      return Bspline_shells::message(proxy_status, invalid_parameter);
-    return shell() || status() == mesh_status ? mesh_message() : Bspline_shells::message(status(), invalid_parameter);
   }
 };
 

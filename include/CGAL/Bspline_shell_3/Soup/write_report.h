@@ -101,10 +101,11 @@ private:
  *
  * \brief writes a report on a shell and its construction as a JSON object.
  *
- * The object contains the status, the kind of shell, a message, the repairs, sizes, claims, times and, if the shell is
- * not certified, the obstacles. It also contains how parts were united, how holes were closed or, for a proxy, which
- * share of the area the proxy represents and why the mesh itself has no certified shell. Lengths are in the units of
- * the coordinates, and times in seconds. Offending facets and vertices are `Shell_of_soup_3::offending_simplices`.
+ * The object contains the status, the kind of shell, a message, the repairs, the welding, sizes, claims, times and, if
+ * the shell is not certified, the obstacles. It also contains how parts were united, how holes were closed or, for a
+ * proxy, which share of the area the proxy represents and why the mesh itself has no certified shell. Lengths are in
+ * the units of the coordinates, and times in seconds. Offending facets and vertices are
+ * `Shell_of_soup_3::offending_simplices`.
  *
  * \param out a stream; its format flags and locale are restored
  * \param result the shell
@@ -134,6 +135,11 @@ inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const
       "split_polygons", repairs.split_polygons)("duplicate_polygons", repairs.duplicate_polygons)(
       "reversed_polygons", repairs.reversed_polygons)("degenerate_facets", repairs.degenerate_facets)(
       "reversed_components", repairs.reversed_components);
+    const Weld_report& weld = result.weld;
+    if(!weld.is_none())
+      object("weld")("unit", weld.unit)("tolerance", weld.tolerance)("welded_points", weld.welded_points)(
+        "split_edges", weld.split_edges)("undone_clusters", weld.undone_clusters)(
+        "border_edges_before", weld.border_edges_before)("border_edges_after", weld.border_edges_after);
     const Unite_report& unite = result.unite_report;
     if(unite.status != Unite_status::NOT_TRIED)
       object("united_parts")("message", message(unite))("facets", unite.offending_facets)("parts", unite.parts)(

@@ -35,6 +35,7 @@ namespace Bspline_shells {
   OWN(least_cone_margin)                                                                                               \
   OWN(alpha)                                                                                                           \
   OWN(offset)                                                                                                          \
+  OWN(weld_tolerance)                                                                                                  \
   OWN(allow_open_shell)                                                                                                \
   OWN(skip_open_components)                                                                                            \
   OWN(tolerance)                                                                                                       \
