@@ -60,7 +60,10 @@ inline std::optional<Critical_point> prove_critical_point(const Enclosed_tricubi
     }
     return g;
   };
-  const Eigen::Matrix3d Y = middle.inverse(); // need not be accurate
+  // An approximate inverse, without overflow for second derivatives of any size.
+  const double largest = middle.cwiseAbs().maxCoeff();
+  const Eigen::Matrix3d in_units = middle / largest;
+  const Eigen::Matrix3d Y = in_units.inverse() / largest;
   if(!Y.allFinite()) return std::nullopt;
   Eigen::Vector3d x(0.5, 0.5, 0.5);
   for(int step = 0; step < 20; ++step) x -= Y * gradient(x);
