@@ -1183,8 +1183,10 @@ add("checksum in upper case", lambda f: setattr(f, "certificate_sum", "checksum 
 
 # A generated shell of f = |x|^2 around an octahedron, with large leaves on the left and small ones on the right. At
 # lattice points with spacing h, the coefficients are |p|^2 - h^2. The thresholds are 0.3 and 2, with waves along some
-# axes; their steepness increases with their height.
-def ball(inner_wave=0, outer_wave=0, axes=(1,), unit=1, path="0.27 0.28 0.28 0.97 0.95 0.98", outer=2, roots=5):
+# axes; their steepness increases with their height. Boxes of the cover claim that f rises from the origin, or that its
+# critical point is below the inner threshold.
+def ball(inner_wave=0, outer_wave=0, axes=(1,), unit=1, path="0.27 0.28 0.28 0.97 0.95 0.98", outer=2, roots=5,
+         by_center=False):
     inner, middle = 0.3, range(-roots, roots)
     leaves = [(0, i, j, k) for k in middle for j in middle for i in middle if i < 0]
     leaves += [(1, i, j, k) for k in range(-2 * roots, 2 * roots) for j in range(-2 * roots, 2 * roots) for i in range(2 * roots)]
@@ -1212,7 +1214,8 @@ def ball(inner_wave=0, outer_wave=0, axes=(1,), unit=1, path="0.27 0.28 0.28 0.9
                 or sum(x * x for x in nearest) > outer + outer_wave * len(axes) / 3 + 0.01):
             boxes.append(start + "x")
         elif least_product > 0 and (depth > 0 or level > 0):
-            boxes.append(start + "g %.17g %.17g %.17g" % tuple(center))
+            witness = ("b",) + tuple(-x / h for x in low) if by_center else ("g",) + tuple(center)
+            boxes.append(start + "%s %.17g %.17g %.17g" % witness)
         else:
             for o in range(8):
                 divide(leaf, depth + 1, [2 * place[a] + (o >> a & 1) for a in range(3)])
@@ -1233,6 +1236,11 @@ ACCEPTED, STEEP, AT_END = (0, "certified: P1 P2 P3 P4 P5"), (1, "faster than a t
 WAVES = [({}, ACCEPTED), ({"outer_wave": 0.3}, ACCEPTED), ({"outer_wave": 1.2}, STEEP), ({"inner_wave": 0.02}, ACCEPTED),
          ({"inner_wave": 0.6}, STEEP), ({"outer_wave": 0.5}, ACCEPTED), ({"outer_wave": 0.5, "axes": (0, 1, 2)}, STEEP),
          ({"outer_wave": 0.3, "unit": 1e-170}, ACCEPTED), ({"outer_wave": 1.2, "unit": 1e-170}, STEEP)]
+# On small leaves, the slope of the outer threshold is at most four times the wave. A claim about the critical point at
+# the origin implies that the slope of f is at least 0.6 / |x|, which is 0.424 where |x|^2 = 2, and less beyond.
+CENTERS = [({"by_center": True, "outer_wave": 0.1}, ACCEPTED),
+           ({"by_center": True, "outer_wave": 0.106}, (1, "has no critical point in the shell on the box, and is steeper")),
+           ({"by_center": True, "inner_wave": 0.2}, ACCEPTED)]
 # The domain ends at 1.5 along each axis, outside the shell or inside it.
 ENDS = [({"roots": 3}, ACCEPTED), ({"roots": 3, "outer": 2.2}, ACCEPTED), ({"roots": 3, "outer": 2.3}, AT_END),
         ({"roots": 3, "outer": 2.2, "outer_wave": 0.2}, AT_END)]
@@ -1252,7 +1260,7 @@ def main():
         return 1 if names else 0
     checker = sys.argv[1]
     files = Files(sys.argv[2]) if len(sys.argv) > 2 else None
-    cases = [] if files else [("ball: %s" % ball_is, ball(**ball_is), code, sentence) for ball_is, (code, sentence) in WAVES + ENDS] + [
+    cases = [] if files else [("ball: %s" % ball_is, ball(**ball_is), code, sentence) for ball_is, (code, sentence) in WAVES + CENTERS + ENDS] + [
         ("ball, path through an edge", ball(path=THROUGH_EDGE), 1, "does not pass through the interior"),
         ("ball, path that begins downwards", ball(path=FROM_BEHIND_THE_CENTER), 1, "increase along it")]
     for function, code, sentence, update, applies in TESTS:
