@@ -1,4 +1,4 @@
-// The map of an excised soup: the identity on excised triangles, and one-to-one along curves elsewhere.
+// The map of an excised soup: the identity on excised triangles, and along integral curves on the mesh.
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/Soup/Excised_map_3.h>
 #include <CGAL/Bspline_shell_3/Soup/Excision_filter.h>

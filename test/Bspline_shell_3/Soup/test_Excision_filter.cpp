@@ -131,7 +131,7 @@ TEST_CASE("Excision filter: pinned edges are constrained, and one edge at each p
   BS::constrain_pins(soup, is_constrained);
   std::size_t constrained = 0;
   for(auto f : mesh.edges()) constrained += is_constrained[f];
-  CHECK(constrained == 2); // of the fin and of the thorn
+  CHECK(constrained == 2); // one for the fin, and one for the thorn
   REQUIRE(soup.pinned_edges().size() == 1);
   CHECK(is_constrained[soup.pinned_edges()[0]]);
   REQUIRE(soup.pinned_vertices().size() == 3);

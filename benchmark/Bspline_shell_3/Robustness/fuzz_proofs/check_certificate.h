@@ -207,7 +207,7 @@ private:
     const Field scaled_field = scaled(field, exponent);
     Certificate other(scaled_field, scaled(inner, exponent), scaled(outer, exponent));
     other.template verify<CGAL::Sequential_tag>(m_mesh);
-    // for values, slopes and second derivatives
+    // the exponents must have room for values, slopes and second derivatives
     constexpr int room = 800;
     const bool has_room = std::abs(exponent + size) < room && std::abs(exponent) < room
                           && std::abs(exponent - size) < room;

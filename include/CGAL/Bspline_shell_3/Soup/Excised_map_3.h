@@ -135,7 +135,7 @@ private:
   const Excised_soup_3* m_soup;
   Rejoined_soup_3 m_rejoined;
   Map m_map;
-  std::vector<std::size_t> m_position; // of excised triangles in the rejoined soup
+  std::vector<std::size_t> m_position; // positions of excised triangles in the rejoined soup
 };
 
 } // namespace Bspline_shells

@@ -22,8 +22,8 @@ namespace Bspline_shells {
  *
  * \brief the triangles of a mesh and the excised triangles of a soup, which the mesh completes.
  *
- * First come the vertices and facets of the mesh, in their order, then the other points of excised triangles, and the
- * excised triangles, in the order and orientation of `Excised_soup_3::soup()`.
+ * The vertices and facets of the mesh come first, in their order. The other points of excised triangles and the excised
+ * triangles follow, in the order and orientation of `Excised_soup_3::soup()`.
  */
 struct Rejoined_soup_3
 {
@@ -45,8 +45,8 @@ struct Rejoined_soup_3
  * \brief joins a mesh that replaces the mesh of an excised soup, such as the simplified mesh, with the excised
  * triangles.
  *
- * If the mesh and that of the soup are certified in the same shell, the union of the integral curves' map and the
- * identity on excised triangles is one-to-one between the two soups: see \ref BsplineShell3Excision.
+ * Let this mesh and the mesh of the soup be certified in the same shell. The map along integral curves, together with
+ * the identity on excised triangles, is then one-to-one between the two soups: see \ref BsplineShell3Excision.
  *
  * \param soup a valid excised soup (`check_excision()`)
  * \param mesh a mesh without garbage, which is checked (`check_replacement()`)

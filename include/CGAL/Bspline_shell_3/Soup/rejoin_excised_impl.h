@@ -35,7 +35,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Rejoined_soup_3 rejoin_excised(const Excised_soup_3&
   std::map<Mesh::Point, std::size_t> excised; // positions in the soup
   for(std::size_t t : soup.excised_triangles())
     for(std::size_t p : soup.soup().triangles[t]) excised.emplace(soup.soup().points[p], p);
-  std::vector<std::size_t> number(soup.soup().points.size(), Rejoined_soup_3::none); // in the result
+  std::vector<std::size_t> number(soup.soup().points.size(), Rejoined_soup_3::none); // positions in the result
   const auto add = [&](const Mesh::Point& p, std::size_t excised_point) {
     if(excised_point != Rejoined_soup_3::none) number[excised_point] = joined.soup.points.size();
     joined.soup.points.push_back(p);

@@ -31,7 +31,7 @@ inline void repair_and_weld(const Polygon_soup& soup, const Weld_parameters& par
   Welded_soup welded = weld_soup(soup, parameters);
   if(!welded.report.is_none()) {
     Shell_of_soup_3::Mesh mesh;
-    Soup_repairs repairs; // as before, but for the steps after welding
+    Soup_repairs repairs; // the same repairs, but for the steps after welding
     Offending_simplices offenders;
     if(repair_soup(std::move(welded.soup), mesh, repairs, offenders) != Shell_status::SUCCESS) return;
     result.mesh_status = Shell_status::SUCCESS;
