@@ -75,7 +75,7 @@ TEST_CASE("Excision filter: a new vertex must not have the coordinates of an exc
   CHECK(passes(soup, { a, far, {} }, a));
   CHECK(passes(soup, { far, a, {} }, a));
   CHECK_FALSE(passes(soup, { a, a, {} }, a));
-  CHECK_FALSE(BS::Excision_filter(soup)(profile, boost::optional<Point_3>()));
+  CHECK_FALSE(bool(BS::Excision_filter(soup)(profile, boost::optional<Point_3>())));
 }
 
 TEST_CASE("Excision filter: a new edge must not be that of an excised triangle, unless the mesh has it already")

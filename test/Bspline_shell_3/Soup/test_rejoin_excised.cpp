@@ -4,6 +4,7 @@
 #include "excised_soups.h"
 #include "test_meshes.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <set>
 #include <vector>
@@ -74,27 +75,37 @@ TEST_CASE("Contacts: pairs that meet outside of common simplices are counted")
   const BS::Excised_soup_3 soup = Finned_sphere::excised();
   CHECK(BS::number_of_contacts(BS::rejoin_excised(soup, soup.mesh())) == 0);
 
-  // A vertex next to the thorn is moved beyond it, so that facets run into it.
-  Mesh mesh = soup.mesh();
-  const Point_3 top = soup.soup().points[soup.soup().triangles[Finned_sphere::thorn][2]];
-  const auto foot = soup.vertex_at(soup.soup().triangles[Finned_sphere::thorn][0]);
-  REQUIRE(foot != mesh.null_vertex());
-  const auto near = mesh.source(mesh.halfedge(foot));
-  mesh.point(near) = mesh.point(foot) + 2 * (top - mesh.point(foot));
-  const BS::Rejoined_soup_3 joined = BS::rejoin_excised(soup, mesh);
+  // A neighbor of the thorn's foot is moved onto the line of one of its edges, which then lies on two facets.
+  Mesh along = soup.mesh();
+  const BS::Soup_triangles::Triangle& thorn = soup.soup().triangles[Finned_sphere::thorn];
+  const Point_3 &low = soup.soup().points[thorn[1]], &high = soup.soup().points[thorn[2]];
+  const auto foot = soup.vertex_at(thorn[0]);
+  REQUIRE(foot != along.null_vertex());
+  along.point(along.source(along.halfedge(foot))) = along.point(foot) + 2 * (high - along.point(foot));
+  CHECK(BS::number_of_contacts(BS::rejoin_excised(soup, along)) == 2);
+
+  // A vertex farther away is pulled through the thorn.
+  Mesh through = soup.mesh();
+  const auto is_near = [&](Mesh::Vertex_index v) {
+    return v == foot || through.halfedge(v, foot) != through.null_halfedge();
+  };
+  const auto v = *std::find_if(through.vertices().begin(), through.vertices().end(), [&](Mesh::Vertex_index v) {
+    const double squared_distance = CGAL::squared_distance(through.point(v), through.point(foot));
+    return !is_near(v) && squared_distance < 0.1;
+  });
+  const Point_3 middle = CGAL::centroid(through.point(foot), low, high);
+  through.point(v) = through.point(v) + 1.5 * (middle - through.point(v));
+  const BS::Rejoined_soup_3 joined = BS::rejoin_excised(soup, through);
   REQUIRE(joined);
   const auto triangle = [&](std::size_t t) {
     const auto p = points_of(joined, t);
     return Kernel::Triangle_3(p[0], p[1], p[2]);
   };
   std::size_t expected = 0;
-  for(std::size_t s = 0; s < joined.facets; ++s)
-    for(std::size_t t = joined.facets; t < joined.soup.polygons.size(); ++t) {
-      std::set<std::size_t> all(joined.soup.polygons[s].begin(), joined.soup.polygons[s].end());
-      all.insert(joined.soup.polygons[t].begin(), joined.soup.polygons[t].end());
-      if(all.size() == 6) expected += CGAL::do_intersect(triangle(s), triangle(t));
-    }
-  CHECK(BS::number_of_contacts(joined) >= (std::max)(expected, std::size_t(1)));
+  for(auto f : through.faces_around_target(through.halfedge(v)))
+    expected += CGAL::do_intersect(triangle(std::size_t(f)), Kernel::Triangle_3(through.point(foot), low, high));
+  CHECK(expected > 0);
+  CHECK(BS::number_of_contacts(joined) == expected);
 }
 
 } // namespace test_rejoin_excised
