@@ -2,13 +2,12 @@
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/Soup/Excision_filter.h>
 #include <CGAL/Bspline_shell_3/Soup/check_excision.h>
+#include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include "excised_soups.h"
 #include "test_meshes.h"
 
 #include <CGAL/property_map.h>
-
-#include <boost/optional.hpp>
 
 #include <cstddef>
 #include <utility>
@@ -59,9 +58,10 @@ BS::Excised_soup_3 tetrahedron_with(std::vector<BS::Soup_triangles::Triangle> ex
   return BS::Excised_soup_3(std::move(soup), std::move(reasons), std::vector<char>(n, 0));
 }
 
-bool passes(const BS::Excised_soup_3& soup, const Profile& profile, const Point_3& placement)
+bool passes(const BS::Excised_soup_3& soup, const Profile& profile, const Point_3& placement,
+            BS::New_contacts contacts = BS::New_contacts::ALLOWED)
 {
-  return bool(BS::Excision_filter(soup)(profile, boost::optional<Point_3>(placement)));
+  return bool(BS::Excision_filter(soup, contacts)(profile, BS::internal::Optional<Point_3>(placement)));
 }
 
 } // namespace
@@ -75,7 +75,7 @@ TEST_CASE("Excision filter: a new vertex must not have the coordinates of an exc
   CHECK(passes(soup, { a, far, {} }, a));
   CHECK(passes(soup, { far, a, {} }, a));
   CHECK_FALSE(passes(soup, { a, a, {} }, a));
-  CHECK_FALSE(bool(BS::Excision_filter(soup)(profile, boost::optional<Point_3>())));
+  CHECK_FALSE(bool(BS::Excision_filter(soup)(profile, BS::internal::Optional<Point_3>())));
 }
 
 TEST_CASE("Excision filter: a new edge must not be that of an excised triangle, unless the mesh has it already")
@@ -99,6 +99,22 @@ TEST_CASE("Excision filter: a new facet must not have the corners of an excised 
   CHECK_FALSE(passes(soup, { a, far, { { far, c, d } } }, a));
   CHECK_FALSE(passes(soup, { far, a, { { d, c, far } } }, a));
   CHECK(passes(soup, { a, far, { { far, c, b } } }, a));
+}
+
+TEST_CASE("Excision filter: on request, a collapse must not add a contact with excised triangles")
+{
+  // A facet with a vertex below passes through the triangle (a, b, e).
+  const BS::Excised_soup_3 soup = tetrahedron_with({ { 0, 1, 4 } });
+  const Point_3 below(1, 0.6, -3), u(1, 0.7, 3), w(0.9, 0.9, 3), above(1, 1, 5);
+  const auto rejected = BS::New_contacts::REJECTED;
+  const Profile from_above = { far, above, { { far, u, w } } }, from_below = { far, below, { { below, u, w } } };
+  CHECK(passes(soup, from_above, below));
+  CHECK_FALSE(passes(soup, from_above, below, rejected));
+  CHECK(passes(soup, from_above, above, rejected));
+  CHECK(passes(soup, from_below, below + Vector_3(0.01, 0, 0), rejected));
+  CHECK(passes(soup, from_below, above, rejected));
+  // Facets that share a vertex or an edge with the triangle do not meet it elsewhere.
+  CHECK(passes(soup, { far, above, { { far, a, b }, { far, e, above } } }, Point_3(0, 0, -5), rejected));
 }
 
 TEST_CASE("Excision filter: a mesh simplified with it and with constrained pins can replace the mesh of the soup")

@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_SOUP_EXCISION_FILTER_H
 
 #include <CGAL/Bspline_shell_3/Soup/Excised_soup_3.h>
+#include <CGAL/Bspline_shell_3/Soup/internal/Excised_simplices.h>
 
 #include <CGAL/property_map.h>
 
@@ -15,10 +16,18 @@
 #include <cstddef>
 #include <memory>
 #include <set>
-#include <utility>
 
 namespace CGAL {
 namespace Bspline_shells {
+
+/// \ingroup PkgBsplineShell3Soup
+/// whether an edit of the mesh of an excised soup may add *contacts*: pairs of a facet and an excised triangle that
+/// meet outside of common vertices and edges
+enum class New_contacts
+{
+  ALLOWED,
+  REJECTED ///< no edge collapse increases the number of contacts
+};
 
 /*!
  * \ingroup PkgBsplineShell3Soup
@@ -32,79 +41,75 @@ namespace Bspline_shells {
  */
 class Excision_filter
 {
-  typedef Excised_soup_3::Mesh::Point Point_3;
+  typedef internal::Excised_simplices::Point_3 Point_3;
+  typedef internal::Excised_simplices::Triangle Triangle;
 
 public:
-  explicit Excision_filter(const Excised_soup_3& soup) : m_simplices(std::make_shared<const Simplices>(soup)) {}
+  explicit Excision_filter(const Excised_soup_3& soup, New_contacts contacts = New_contacts::ALLOWED)
+    : m_excised(std::make_shared<const internal::Excised_simplices>(soup)), m_contacts(contacts)
+  {}
 
   /// returns the placement, or none if it is rejected.
   /// \tparam Profile a model of `EdgeCollapseProfile`
   template <typename Profile, typename OptionalPoint>
   OptionalPoint operator()(const Profile& profile, const OptionalPoint& placement) const
   {
-    return placement && is_allowed(profile, *placement) ? placement : OptionalPoint();
+    return placement && keeps_complex(profile, *placement) && keeps_contacts(profile, *placement) ? placement
+                                                                                                  : OptionalPoint();
   }
 
 private:
-  typedef std::array<Point_3, 2> Edge;     // ascending
-  typedef std::array<Point_3, 3> Triangle; // ascending
-
-  // What the mesh must not get. Simplices of the contact are in the mesh already, and a collapse cannot double them.
-  struct Simplices
+  // Calls `visit` for the corners of each facet at the edge before the collapse, or after it (with `p` in the place of
+  // the ends of the edge; facets at the edge vanish).
+  template <typename Profile, typename Visit>
+  static void visit_facets(const Profile& profile, const Point_3* p, const Visit& visit)
   {
-    explicit Simplices(const Excised_soup_3& soup)
-    {
-      const auto& mesh = soup.mesh();
-      for(std::size_t t : soup.excised_triangles()) {
-        const Soup_triangles::Triangle& corners = soup.soup().triangles[t];
-        Triangle triangle;
-        for(std::size_t i = 0; i < 3; ++i) {
-          const std::size_t p = corners[i], q = corners[(i + 1) % 3];
-          triangle[i] = soup.soup().points[p];
-          points.insert(triangle[i]);
-          const auto v = soup.vertex_at(p), w = soup.vertex_at(q);
-          const bool are_vertices = v != mesh.null_vertex() && w != mesh.null_vertex();
-          if(!are_vertices || mesh.halfedge(v, w) == mesh.null_halfedge())
-            edges.insert(sorted(Edge{ soup.soup().points[p], soup.soup().points[q] }));
-        }
-        triangles.insert(sorted(triangle));
-      }
-    }
-
-    std::set<Point_3> points;
-    std::set<Edge> edges;
-    std::set<Triangle> triangles;
-  };
-
-  template <typename Simplex>
-  static Simplex sorted(Simplex simplex)
-  {
-    std::sort(simplex.begin(), simplex.end());
-    return simplex;
-  }
-
-  template <typename Profile>
-  bool is_allowed(const Profile& profile, const Point_3& p) const
-  {
-    if(m_simplices->points.count(p) == 0) return true; // new facets have a vertex that no excised triangle has
-    const bool keeps_first = p == profile.p0(), keeps_second = p == profile.p1();
-    if(keeps_first == keeps_second) return false; // a new vertex in the place of another one
-    // The facets at the vertex that is removed get the other one, or vanish if they have both.
-    const auto removed = keeps_first ? profile.v1() : profile.v0(), kept = keeps_first ? profile.v0() : profile.v1();
     const auto& vpm = profile.vertex_point_map();
     for(const auto& t : profile.triangles()) {
       const std::array<typename Profile::vertex_descriptor, 3> v = { t.v0, t.v1, t.v2 };
-      const auto i = std::size_t(std::find(v.begin(), v.end(), removed) - v.begin());
-      if(i == 3 || std::find(v.begin(), v.end(), kept) != v.end()) continue;
-      const Point_3 q = get(vpm, v[(i + 1) % 3]), r = get(vpm, v[(i + 2) % 3]);
-      if(m_simplices->edges.count(sorted(Edge{ p, q })) > 0 || m_simplices->edges.count(sorted(Edge{ p, r })) > 0
-         || m_simplices->triangles.count(sorted(Triangle{ p, q, r })) > 0)
-        return false;
+      Triangle corners;
+      int ends = 0;
+      for(std::size_t i = 0; i < 3; ++i) {
+        const bool is_end = v[i] == profile.v0() || v[i] == profile.v1();
+        ends += is_end;
+        corners[i] = is_end && p ? *p : Point_3(get(vpm, v[i]));
+      }
+      if(!p || ends < 2) visit(v, corners);
     }
-    return true;
   }
 
-  std::shared_ptr<const Simplices> m_simplices; // shared by copies, which CGAL makes
+  template <typename Profile>
+  bool keeps_complex(const Profile& profile, const Point_3& p) const
+  {
+    if(!m_excised->has_point(p)) return true; // new facets have a vertex that no excised triangle has
+    const bool keeps_first = p == profile.p0(), keeps_second = p == profile.p1();
+    if(keeps_first == keeps_second) return false; // a new vertex in the place of another one
+    // The facets at the vertex that is kept do not change.
+    const auto kept = keeps_first ? profile.v0() : profile.v1();
+    bool keeps = true;
+    visit_facets(profile, &p, [&](const auto& vertices, const Triangle& t) {
+      if(std::find(vertices.begin(), vertices.end(), kept) != vertices.end()) return;
+      for(std::size_t i = 0; i < 3; ++i) keeps = keeps && (t[i] == p || !m_excised->has_edge(p, t[i]));
+      keeps = keeps && !m_excised->has_triangle(t);
+    });
+    return keeps;
+  }
+
+  template <typename Profile>
+  bool keeps_contacts(const Profile& profile, const Point_3& p) const
+  {
+    if(m_contacts == New_contacts::ALLOWED) return true;
+    std::size_t before = 0, after = 0;
+    const auto counts = [this](std::size_t& n) {
+      return [&n, this](const auto&, const Triangle& t) { n += m_excised->number_of_contacts(t); };
+    };
+    visit_facets(profile, &p, counts(after));
+    if(after > 0) visit_facets(profile, nullptr, counts(before));
+    return after <= before;
+  }
+
+  std::shared_ptr<const internal::Excised_simplices> m_excised; // shared by copies, which CGAL makes
+  New_contacts m_contacts;
 };
 
 /*!
