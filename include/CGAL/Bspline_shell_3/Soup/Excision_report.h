@@ -28,6 +28,7 @@ enum class Excision_reason : unsigned char
   STEEP_BORDER,   ///< it is at a border vertex that no closing completes to a regular vertex
   SINGULAR_PIN,   ///< it is at a vertex that must not move, although its facets face no common direction
   FRAGMENT,       ///< it is in a small piece that excision separated from its component
+  WRONG_SIDE,     ///< it is in a component that faces the wrong side of others, and cannot be reversed
   NOT_CLOSABLE,   ///< the virtual closing failed close to it
   NOT_CERTIFIED   ///< the certificate failed close to it
 };
@@ -48,6 +49,7 @@ inline const char* name(Excision_reason reason)
     case Excision_reason::STEEP_BORDER: return "steep border";
     case Excision_reason::SINGULAR_PIN: return "singular pin";
     case Excision_reason::FRAGMENT: return "fragment";
+    case Excision_reason::WRONG_SIDE: return "on the wrong side";
     case Excision_reason::NOT_CLOSABLE: return "not closable";
     case Excision_reason::NOT_CERTIFIED: return "not certified";
   }

@@ -49,10 +49,10 @@ Soup_triangles different_triangles(Polygon_soup soup);
  * the cone margin of a border vertex or a pin is too small, its triangles are excised, too. So are small pieces that
  * are no longer connected to their component. Components without such defects are kept.
  *
- * \pre as for `different_triangles()`
+ * \param soup the triangles, as returned by `different_triangles()`
  * \cgalHeading{Cost} That of finding all pairs of triangles that intersect
  */
-Excised_soup_3 choose_excision(const Polygon_soup& soup, const Excision_parameters& parameters = {});
+Excised_soup_3 choose_excision(Soup_triangles soup, const Excision_parameters& parameters = {});
 
 /*!
  * \ingroup PkgBsplineShell3Soup

@@ -99,13 +99,11 @@ CGAL_BSPLINE_SHELL_3_INLINE Soup_triangles different_triangles(Polygon_soup soup
   return result;
 }
 
-CGAL_BSPLINE_SHELL_3_INLINE Excised_soup_3 choose_excision(const Polygon_soup& soup,
-                                                           const Excision_parameters& parameters)
+CGAL_BSPLINE_SHELL_3_INLINE Excised_soup_3 choose_excision(Soup_triangles soup, const Excision_parameters& parameters)
 {
   Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST); // required by exact predicates
-  Soup_triangles triangles = different_triangles(soup);
-  const std::size_t size = triangles.triangles.size();
-  internal::Excision_state state(std::move(triangles), std::vector<Excision_reason>(size, Excision_reason::KEPT),
+  const std::size_t size = soup.triangles.size();
+  internal::Excision_state state(std::move(soup), std::vector<Excision_reason>(size, Excision_reason::KEPT),
                                  std::vector<char>(size, 0));
   std::vector<char> has_no_area(size, 0);
   for(std::size_t t = 0; t < size; ++t) {

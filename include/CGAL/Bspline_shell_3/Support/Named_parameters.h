@@ -36,6 +36,7 @@ namespace Bspline_shells {
   OWN(alpha)                                                                                                           \
   OWN(offset)                                                                                                          \
   OWN(weld_tolerance)                                                                                                  \
+  OWN(largest_excised_share)                                                                                           \
   OWN(allow_open_shell)                                                                                                \
   OWN(skip_open_components)                                                                                            \
   OWN(tolerance)                                                                                                       \

@@ -1,0 +1,233 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SOUP_EXCISE_UNTIL_CERTIFIED_H
+#define CGAL_BSPLINE_SHELL_3_SOUP_EXCISE_UNTIL_CERTIFIED_H
+
+#include <CGAL/Bspline_shell_3/Shell/Shell_report.h>
+#include <CGAL/Bspline_shell_3/Shell/Truncation_report.h>
+#include <CGAL/Bspline_shell_3/Soup/Excised_soup_3.h>
+#include <CGAL/Bspline_shell_3/Soup/check_excision.h>
+#include <CGAL/Bspline_shell_3/Soup/choose_excision.h>
+#include <CGAL/Bspline_shell_3/Soup/internal/Excision_growth.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
+#include <CGAL/Bspline_shell_3/Support/Status.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Soup
+ *
+ * \brief the limits of `excise_until_certified()`.
+ */
+struct Excision_limits
+{
+  /// largest fraction of the area that may be excised
+  double share = 0.1;
+  /// largest number of meshes that are tried. Six doublings of the rings around a place reach 64 facets away.
+  std::size_t attempts = 8;
+  /// largest number of shells that are fitted; each may take as long as the shell of a sound mesh
+  std::size_t shells = 3;
+  /// largest number of places without a proof that are excised. More places are a property of the surface, not defects.
+  std::size_t places = 20;
+};
+
+namespace internal {
+
+// Returns the facets closest to the places where the proof of a shell failed.
+inline std::vector<Excised_soup_3::Mesh::Face_index> facets_at_obstacles(
+  const Excised_soup_3::Mesh& mesh, const std::vector<Refinement_obstacle>& obstacles)
+{
+  typedef AABB_face_graph_triangle_primitive<Excised_soup_3::Mesh> Primitive;
+  typedef AABB_tree<AABB_traits<Exact_predicates_inexact_constructions_kernel, Primitive> > Tree;
+  std::vector<Excised_soup_3::Mesh::Face_index> facets;
+  Tree tree(faces(mesh).first, faces(mesh).second, mesh);
+  for(const Refinement_obstacle& o : obstacles) {
+    const Excised_soup_3::Point_3 p(o.point[0], o.point[1], o.point[2]);
+    facets.push_back(tree.closest_point_and_primitive(p).second);
+  }
+  sort_unique(facets);
+  return facets;
+}
+
+// Returns the truncated vertices of a mesh.
+inline std::vector<Excised_soup_3::Mesh::Vertex_index> truncated_vertices(const Truncation_report& report)
+{
+  typedef Excised_soup_3::Mesh Mesh;
+  std::vector<Mesh::Vertex_index> truncated;
+  for(const Truncation_report::Vertex& v : report.vertices)
+    if(v.outcome == Truncation_report::Outcome::TRUNCATED) truncated.emplace_back(Mesh::size_type(v.vertex));
+  return truncated;
+}
+
+// Returns the facets of components that have to be reversed: those of the listed facets or, if these have more than
+// half of the area, all others.
+inline std::vector<Excised_soup_3::Mesh::Face_index> facets_on_wrong_side(const Excised_soup_3& soup,
+                                                                          const std::vector<std::size_t>& listed)
+{
+  typedef Excised_soup_3::Mesh Mesh;
+  const Mesh& mesh = soup.mesh();
+  std::vector<std::size_t> component(mesh.number_of_faces());
+  const std::size_t size = Polygon_mesh_processing::connected_components(mesh, CGAL::make_property_map(component));
+  std::vector<char> is_listed(size, 0);
+  for(std::size_t f : listed) is_listed[component[f]] = 1;
+  double area[2] = { 0, 0 }; // of the other components, and of those listed
+  for(auto f : mesh.faces()) area[std::size_t(is_listed[component[f]])] += Polygon_mesh_processing::face_area(f, mesh);
+  const char chosen = area[1] <= area[0] ? 1 : 0;
+  std::vector<Mesh::Face_index> facets;
+  for(auto f : mesh.faces())
+    if(is_listed[component[f]] == chosen) facets.push_back(f);
+  return facets;
+}
+
+// Tries shells of the mesh of an excised soup, and excises more where they fail.
+template <typename Shell>
+class Excision_attempts
+{
+  typedef Excised_soup_3::Mesh Mesh;
+  typedef std::vector<Mesh::Face_index> Facets;
+public:
+  Excision_attempts(Excised_soup_3 soup, const Excision_limits& limits) : m_soup(std::move(soup)), m_limits(limits) {}
+
+  // Returns whether there is a certified shell.
+  // \param build returns the shell of a mesh
+  template <typename Build>
+  bool run(const Build& build)
+  {
+    for(std::size_t attempt = 0; attempt < m_limits.attempts; ++attempt) {
+      Run::poll();
+      if(!m_soup || exceeds_share()) return false;
+      m_shell = build(m_soup.mesh());
+      if(ends_all_attempts(m_shell.status())) return false;
+      if(m_shell.is_certified()) {
+        const Excision_verdict verdict = check_excision(m_soup, truncated_vertices(m_shell.report().truncation));
+        if(verdict) return true;
+        // A truncated vertex moves, so excised triangles must not depend on it.
+        if(verdict.status != Excision_status::MOVED_TIP
+           || !excise(facets_at(verdict.vertices), Excision_reason::SINGULAR_PIN))
+          return false;
+      } else if(m_shell ? !excise_unproved() : !excise_refused()) return false;
+    }
+    return false;
+  }
+
+  bool exceeds_share() const { return m_soup.report().excised_area > m_limits.share; }
+  Excised_soup_3& soup() { return m_soup; }
+  Shell& shell() { return m_shell; }
+
+private:
+  bool excise(const Facets& facets, Excision_reason reason)
+  {
+    if(facets.empty()) return false;
+    m_soup = excise_also(m_soup, m_growth.triangles_around(m_soup, facets), reason);
+    return true;
+  }
+
+  // Excises facets at places of a shell that are not proved.
+  bool excise_unproved()
+  {
+    const auto& obstacles = m_shell.report().obstacles;
+    if(++m_shells == m_limits.shells || obstacles.empty() || obstacles.size() > m_limits.places) return false;
+    return excise(facets_at_obstacles(m_soup.mesh(), obstacles), Excision_reason::NOT_CERTIFIED);
+  }
+
+  // Changes the mesh where it was rejected.
+  bool excise_refused()
+  {
+    const Offending_simplices& offenders = m_shell.report().offending_simplices;
+    switch(m_shell.status()) {
+      case Shell_status::INCONSISTENT_ORIENTATION: return turn_or_excise(offenders.facets);
+      case Shell_status::NOT_CLOSABLE:
+      case Shell_status::SELF_INTERSECTION:
+      case Shell_status::NON_MANIFOLD:
+      case Shell_status::DEGENERATE_FACET:
+      case Shell_status::SINGULAR_VERTEX: break;
+      default: return false;
+    }
+    std::vector<Mesh::Vertex_index> vertices;
+    for(std::size_t v : offenders.vertices) vertices.emplace_back(Mesh::size_type(v));
+    Facets facets = facets_at(vertices);
+    for(std::size_t f : offenders.facets) facets.emplace_back(Mesh::size_type(f));
+    return excise(facets, Excision_reason::NOT_CLOSABLE);
+  }
+
+  Facets facets_at(const std::vector<Mesh::Vertex_index>& vertices) const
+  {
+    Facets facets;
+    for(auto v : vertices)
+      for(auto f : m_soup.mesh().faces_around_target(m_soup.mesh().halfedge(v)))
+        if(f != Mesh::null_face()) facets.push_back(f);
+    return facets;
+  }
+
+  // Reverses components once. If this does not help, they are excised.
+  bool turn_or_excise(const std::vector<std::size_t>& listed)
+  {
+    const Facets facets = facets_on_wrong_side(m_soup, listed);
+    if(facets.empty()) return false;
+    if(!std::exchange(m_has_reversed, true)) {
+      m_soup = reverse_facets(m_soup, facets);
+      return true;
+    }
+    std::vector<std::size_t> triangles;
+    for(auto f : facets) triangles.push_back(m_soup.triangle_of(f));
+    m_soup = excise_also(m_soup, triangles, Excision_reason::WRONG_SIDE);
+    return true;
+  }
+
+  Excised_soup_3 m_soup;
+  Shell m_shell;
+  Excision_limits m_limits;
+  Excision_growth m_growth;
+  std::size_t m_shells = 0; // that were built, but are not certified
+  bool m_has_reversed = false;
+};
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgBsplineShell3Soup
+ *
+ * \brief builds a certified shell of the mesh of an excised soup, and excises more triangles where this fails.
+ *
+ * If the mesh cannot be closed, the facets at which this fails are excised with a ring of facets around them. If the
+ * same place fails again, the number of rings is doubled. If a shell is not certified because of a few places, the
+ * facets there are excised, too. Components that face the wrong side are reversed. If this is impossible because they
+ * are open, they are excised.
+ *
+ * \tparam Build a function from `Excised_soup_3::Mesh` to `Shell`
+ * \tparam Shell a `Bspline_shell_3`
+ * \param[in,out] soup an excised soup; afterwards, the last one that was tried
+ * \param[out] shell the last shell that was built
+ * \return whether the shell is certified, and `check_excision()` accepts the soup with the truncation of the shell
+ */
+template <typename Shell, typename Build>
+bool excise_until_certified(Excised_soup_3& soup, Shell& shell, const Excision_limits& limits, const Build& build)
+{
+  internal::Excision_attempts<Shell> attempts(std::move(soup), limits);
+  const bool is_certified = attempts.run(build);
+  soup = std::move(attempts.soup());
+  shell = std::move(attempts.shell());
+  return is_certified;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SOUP_EXCISE_UNTIL_CERTIFIED_H
