@@ -6,3 +6,5 @@
 #include <CGAL/Bspline_shell_3/Soup/Excised_soup_3_impl.h>
 #include <CGAL/Bspline_shell_3/Soup/check_excision_impl.h>
 #include <CGAL/Bspline_shell_3/Soup/choose_excision_impl.h>
+#include <CGAL/Bspline_shell_3/Soup/internal/Excised_simplices_impl.h>
+#include <CGAL/Bspline_shell_3/Soup/rejoin_excised_impl.h>
