@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace test_Excised_map_3 {
@@ -121,6 +122,18 @@ TEST_CASE("Transfer in an excised soup: linear values arrive, and points of exci
     if(excised != BS::Rejoined_soup_3::none) CHECK(transferred[n] == values[excised]);
   }
   CHECK(largest < 0.2);
+
+  // They do so even if no values can be interpolated around them.
+  std::vector<double> known(values.size(), std::numeric_limits<double>::quiet_NaN());
+  for(std::size_t t : map.soup().excised_triangles())
+    for(std::size_t v : map.soup().soup().triangles[t]) known[v] = values[v];
+  BS::transfer_point_attribute(map, known, transferred);
+  std::size_t wrong = 0;
+  for(std::size_t n = 0; n < transferred.size(); ++n) {
+    const std::size_t excised = map.rejoined().excised_point[n];
+    wrong += excised != BS::Rejoined_soup_3::none && transferred[n] != values[excised];
+  }
+  CHECK(wrong == 0);
 }
 
 TEST_CASE("Transfer in an excised soup: triangles get the labels of their images, and excised ones keep theirs")
