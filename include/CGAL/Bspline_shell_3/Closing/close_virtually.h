@@ -42,7 +42,7 @@ struct Virtual_closing
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \param mesh an open triangle mesh
  * \param offset approximate upper bound on the distance of back sheets from the mesh, in the units of the coordinates
- * \param[out] report how holes were closed
+ * \param[out] report how holes were closed; if the status is `NOT_CLOSABLE`, only which holes could be capped
  * \return the closing, which makes the mesh closed and free of self-intersections, or the reason why there is none:
  *   `SELF_INTERSECTION` of the mesh itself, or `NOT_CLOSABLE`
  * \pre facets have positive area, and each vertex has one fan

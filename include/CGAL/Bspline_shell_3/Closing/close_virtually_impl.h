@@ -133,6 +133,8 @@ public:
   const Closing_report& report() const { return m_report; }
   // Returns the smallest gap of the closed mesh that is due to the closing.
   double least_gap() const { return m_least_gap; }
+  // Lists the holes, and whether each has a cap, after the last attempt.
+  void describe_holes(Closing_report& report) const { m_caps.describe(report); }
   // Returns the facets of the mesh where the last attempt failed.
   std::vector<Face_index> offending_facets() const
   {
@@ -180,6 +182,7 @@ Virtual_closing close_virtually(const Mesh_with_origins::Triangle_mesh& mesh, do
   if(!strict.close(good) || strict.report().sheets > 0)
     if(loose.close(fair) && !(strict.least_gap() >= loose.least_gap())) best = &loose;
   if(!best->closing()) {
+    loose.describe_holes(report);
     closed.offending_facets = best->offending_facets();
     return closed;
   }

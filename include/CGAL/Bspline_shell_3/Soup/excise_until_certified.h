@@ -6,6 +6,8 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SOUP_EXCISE_UNTIL_CERTIFIED_H
 #define CGAL_BSPLINE_SHELL_3_SOUP_EXCISE_UNTIL_CERTIFIED_H
 
+#include <CGAL/Bspline_shell_3/Shell/Closing_report.h>
+#include <CGAL/Bspline_shell_3/Shell/Refinement_obstacle.h>
 #include <CGAL/Bspline_shell_3/Shell/Shell_report.h>
 #include <CGAL/Bspline_shell_3/Shell/Truncation_report.h>
 #include <CGAL/Bspline_shell_3/Soup/Excised_soup_3.h>
@@ -24,7 +26,9 @@
 #include <CGAL/property_map.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -96,6 +100,38 @@ inline std::vector<Excised_soup_3::Mesh::Face_index> facets_on_wrong_side(const 
   return facets;
 }
 
+// Returns the facets at the holes that have no cap. Only holes are considered whose vertices all belong to excised
+// triangles, so that they are due to excision.
+inline std::vector<Excised_soup_3::Mesh::Face_index> facets_at_uncapped_holes(const Excised_soup_3& soup,
+                                                                              const Closing_report& report)
+{
+  typedef Excised_soup_3::Mesh Mesh;
+  const Mesh& mesh = soup.mesh();
+  std::set<std::array<double, 3> > uncapped; // a point of each hole
+  for(const Closing_report::Hole& hole : report.holes)
+    if(!hole.is_capped) uncapped.insert(hole.point);
+  std::vector<char> is_excised(soup.soup().points.size(), 0); // by point: whether an excised triangle has it
+  for(std::size_t t : soup.excised_triangles())
+    for(std::size_t v : soup.soup().triangles[t]) is_excised[v] = 1;
+  std::vector<Mesh::Face_index> facets;
+  std::vector<char> is_known(mesh.number_of_halfedges(), 0);
+  for(auto border : mesh.halfedges()) {
+    if(is_known[border] || !mesh.is_border(border)) continue;
+    bool is_uncapped = false, is_due_to_excision = true;
+    for(auto h : mesh.halfedges_around_face(border)) {
+      is_known[h] = 1;
+      const auto& p = mesh.point(mesh.target(h));
+      is_uncapped = is_uncapped || uncapped.count({ p.x(), p.y(), p.z() }) > 0;
+      is_due_to_excision = is_due_to_excision && is_excised[soup.point_of(mesh.target(h))];
+    }
+    if(!is_uncapped || !is_due_to_excision) continue;
+    for(auto h : mesh.halfedges_around_face(border))
+      for(auto f : mesh.faces_around_target(h))
+        if(f != Mesh::null_face()) facets.push_back(f);
+  }
+  return facets;
+}
+
 // Tries shells of the mesh of an excised soup, and excises more where they fail.
 template <typename Shell>
 class Excision_attempts
@@ -120,7 +156,7 @@ public:
         if(verdict) return true;
         // A truncated vertex moves, so excised triangles must not depend on it.
         if(verdict.status != Excision_status::MOVED_TIP
-           || !excise(facets_at(verdict.vertices), Excision_reason::SINGULAR_PIN))
+           || !excise(facets_at(verdict.vertices), Excision_reason::SINGULAR_PIN, 0))
           return false;
       } else if(m_shell ? !excise_unproved() : !excise_refused()) return false;
     }
@@ -132,10 +168,11 @@ public:
   Shell& shell() { return m_shell; }
 
 private:
-  bool excise(const Facets& facets, Excision_reason reason)
+  // \param rings number of rings around facets at places that did not fail before
+  bool excise(const Facets& facets, Excision_reason reason, std::size_t rings)
   {
     if(facets.empty()) return false;
-    m_soup = excise_also(m_soup, m_growth.triangles_around(m_soup, facets), reason);
+    m_soup = excise_also(m_soup, m_growth.triangles_around(m_soup, facets, rings), reason);
     return true;
   }
 
@@ -144,7 +181,7 @@ private:
   {
     const auto& obstacles = m_shell.report().obstacles;
     if(++m_shells == m_limits.shells || obstacles.empty() || obstacles.size() > m_limits.places) return false;
-    return excise(facets_at_obstacles(m_soup.mesh(), obstacles), Excision_reason::NOT_CERTIFIED);
+    return excise(facets_at_obstacles(m_soup.mesh(), obstacles), Excision_reason::NOT_CERTIFIED, 1);
   }
 
   // Changes the mesh where it was rejected.
@@ -160,11 +197,15 @@ private:
       case Shell_status::SINGULAR_VERTEX: break;
       default: return false;
     }
+    // A back sheet of a surface with small holes fails anywhere, because of the holes that have no cap.
+    if(m_shell.status() == Shell_status::NOT_CLOSABLE
+       && excise(facets_at_uncapped_holes(m_soup, m_shell.report().closing), Excision_reason::NOT_CLOSABLE, 0))
+      return true;
     std::vector<Mesh::Vertex_index> vertices;
     for(std::size_t v : offenders.vertices) vertices.emplace_back(Mesh::size_type(v));
     Facets facets = facets_at(vertices);
     for(std::size_t f : offenders.facets) facets.emplace_back(Mesh::size_type(f));
-    return excise(facets, Excision_reason::NOT_CLOSABLE);
+    return excise(facets, Excision_reason::NOT_CLOSABLE, 1);
   }
 
   Facets facets_at(const std::vector<Mesh::Vertex_index>& vertices) const

@@ -24,64 +24,65 @@ class Excision_growth
   typedef Mesh::Face_index Face_index;
 public:
   // Returns the triangles of the offending facets and of the rings around them, ascending.
-  std::vector<std::size_t> triangles_around(const Excised_soup_3& soup, const std::vector<Face_index>& offenders)
+  std::vector<std::size_t> triangles_around(const Excised_soup_3& soup, const std::vector<Face_index>& offenders,
+                                            std::size_t first_rings)
   {
-    m_rings_at.resize(soup.soup().points.size(), 0);
-    const std::vector<Reach> reach = reach_from(soup, offenders);
+    m_reach_at.resize(soup.soup().points.size(), 0);
+    const std::vector<Reach> reach = reach_from(soup, offenders, first_rings + 1);
     std::vector<std::size_t> triangles;
     for(Face_index f : soup.mesh().faces()) {
-      if(reach[f].rings == 0) continue;
+      if(reach[f].initial == 0) continue;
       triangles.push_back(soup.triangle_of(f));
       for(std::size_t v : soup.soup().triangles[triangles.back()])
-        m_rings_at[v] = (std::max)(m_rings_at[v], reach[f].rings);
+        m_reach_at[v] = (std::max)(m_reach_at[v], reach[f].initial);
     }
     return triangles;
   }
 
 private:
+  // Numbers of rings, with the facet itself as one; 0 for a facet that is not reached.
   struct Reach
   {
-    std::size_t rings = 0;     // around the offending facet from which this one is reached; 0 if there is none
-    std::size_t remaining = 0; // rings around this facet
+    std::size_t initial = 0;   // around the offending facet from which this one is reached
+    std::size_t remaining = 0; // around this facet
   };
 
-  // Returns twice the number of rings with which the place of a facet failed before, or one.
-  std::size_t rings_around(const Excised_soup_3& soup, Face_index f) const
+  // Returns the reach of an offending facet: twice that with which its place failed before, or the first one.
+  std::size_t reach_of(const Excised_soup_3& soup, Face_index f, std::size_t first) const
   {
     std::size_t before = 0;
-    for(std::size_t v : soup.soup().triangles[soup.triangle_of(f)]) before = (std::max)(before, m_rings_at[v]);
-    return before == 0 ? 1 : 2 * before;
+    for(std::size_t v : soup.soup().triangles[soup.triangle_of(f)]) before = (std::max)(before, m_reach_at[v]);
+    return before == 0 ? first : 2 * before;
   }
 
-  std::vector<Reach> reach_from(const Excised_soup_3& soup, const std::vector<Face_index>& offenders) const
+  std::vector<Reach> reach_from(const Excised_soup_3& soup, const std::vector<Face_index>& offenders,
+                                std::size_t first) const
   {
     const Mesh& mesh = soup.mesh();
     std::vector<Reach> reach(mesh.number_of_faces());
-    std::vector<std::vector<Face_index> > with(1); // by number of remaining rings
+    std::vector<std::vector<Face_index> > with(1); // by remaining reach
     for(Face_index f : offenders) {
-      const std::size_t rings = rings_around(soup, f);
-      if(reach[f].rings >= rings) continue; // listed twice
-      reach[f] = { rings, rings };
-      if(with.size() <= rings) with.resize(rings + 1);
-      with[rings].push_back(f);
+      const std::size_t n = reach_of(soup, f, first);
+      if(reach[f].initial >= n) continue; // listed twice
+      reach[f] = { n, n };
+      if(with.size() <= n) with.resize(n + 1);
+      with[n].push_back(f);
     }
-    for(std::size_t remaining = with.size() - 1; remaining > 0; --remaining)
-      for(std::size_t k = 0; k < with[remaining].size(); ++k) {
-        const Face_index f = with[remaining][k];
-        if(reach[f].remaining != remaining) continue; // reached with more meanwhile
+    for(std::size_t n = with.size() - 1; n > 1; --n)
+      for(std::size_t k = 0; k < with[n].size(); ++k) {
+        const Face_index f = with[n][k];
+        if(reach[f].remaining != n) continue; // reached from closer meanwhile
         for(auto v : mesh.vertices_around_face(mesh.halfedge(f)))
           for(auto g : mesh.faces_around_target(mesh.halfedge(v))) {
-            if(g == Mesh::null_face()) continue;
-            Reach& of_neighbor = reach[g];
-            if(of_neighbor.rings > 0 && of_neighbor.remaining >= remaining - 1) continue;
-            of_neighbor = { (std::max)(of_neighbor.rings, reach[f].rings), remaining - 1 };
-            with[remaining - 1].push_back(g);
+            if(g == Mesh::null_face() || reach[g].remaining >= n - 1) continue;
+            reach[g] = { (std::max)(reach[g].initial, reach[f].initial), n - 1 };
+            with[n - 1].push_back(g);
           }
       }
     return reach;
   }
 
-  std::vector<std::size_t> m_rings_at; // by point: the number of rings with which it was excised
+  std::vector<std::size_t> m_reach_at; // by point: the initial reach with which its triangles were excised
 };
 
 } // namespace internal
