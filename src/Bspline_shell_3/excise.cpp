@@ -7,4 +7,5 @@
 #include <CGAL/Bspline_shell_3/Soup/check_excision_impl.h>
 #include <CGAL/Bspline_shell_3/Soup/choose_excision_impl.h>
 #include <CGAL/Bspline_shell_3/Soup/internal/Excised_simplices_impl.h>
+#include <CGAL/Bspline_shell_3/Soup/provenance_impl.h>
 #include <CGAL/Bspline_shell_3/Soup/rejoin_excised_impl.h>
