@@ -146,9 +146,9 @@ public:
   template <typename Build>
   bool run(const Build& build)
   {
-    for(std::size_t attempt = 0; attempt < m_limits.attempts; ++attempt) {
+    for(; m_attempts < m_limits.attempts; ++m_attempts) {
       Run::poll();
-      if(!m_soup || exceeds_share()) return false;
+      if(!m_soup || m_soup.report().excised_area > m_limits.share) return false;
       m_shell = build(m_soup.mesh());
       if(ends_all_attempts(m_shell.status())) return false;
       if(m_shell.is_certified()) {
@@ -163,7 +163,6 @@ public:
     return false;
   }
 
-  bool exceeds_share() const { return m_soup.report().excised_area > m_limits.share; }
   Excised_soup_3& soup() { return m_soup; }
   Shell& shell() { return m_shell; }
 
@@ -236,7 +235,8 @@ private:
   Shell m_shell;
   Excision_limits m_limits;
   Excision_growth m_growth;
-  std::size_t m_shells = 0; // that were built, but are not certified
+  std::size_t m_attempts = 0; // that failed
+  std::size_t m_shells = 0;   // that were built, but are not certified
   bool m_has_reversed = false;
 };
 
