@@ -2,6 +2,7 @@
 #include <CGAL/Bspline_shell_3/Soup/check_excision.h>
 #include "excised_soups.h"
 
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <cstddef>
@@ -199,8 +200,7 @@ TEST_CASE("Check of a replacement: a vertex with the coordinates of a point of e
 {
   const BS::Excised_soup_3 soup = square_with(a, b, up);
   CHECK(replaced(soup, corners_and(Point_3(0, 0, 0.5)), four) == Status::VALID);
-  const BS::Excision_verdict verdict = BS::check_replacement(soup, mesh_of(corners_and(up), four));
-  CHECK(verdict.status == Status::COMMON_EDGE); // and so are the edges to it
+  CHECK(replaced(soup, corners_and(up), four) == Status::COMMON_FACET); // and so is a facet with it
   const BS::Excised_soup_3 apart = square_with(Point_3(2, 2, 2), Point_3(3, 2, 2), up);
   CHECK(replaced(apart, square().points, four) == Status::VALID);
   CHECK(replaced(apart, corners_and(up), four) == Status::COMMON_COORDINATES);

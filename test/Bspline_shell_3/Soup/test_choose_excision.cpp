@@ -125,7 +125,7 @@ TEST_CASE("Choice of an excision: one facet of each intersecting pair is excised
   for(const auto& pair : pairs) offends[pair.first] = offends[pair.second] = 1;
   for(char o : offends) intersecting += std::size_t(o);
   CHECK(soup.report().number_of(Reason::INTERSECTING) > 0);
-  CHECK(soup.report().number_of(Reason::INTERSECTING) < intersecting / 2);
+  CHECK(soup.report().number_of(Reason::INTERSECTING) <= intersecting / 2);
   CHECK(soup.report().excised_area < 0.25);
 
   // One triangle through many: it is excised alone if it is smaller than all of them together.
@@ -138,10 +138,10 @@ TEST_CASE("Choice of an excision: triangles that lie upon each other, or touch, 
 {
   BS::Polygon_soup soup;
   add_triangle(soup, Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(0, 4, 0));
-  add_triangle(soup, Point_3(1, 1, 0), Point_3(2, 1, 0), Point_3(1, 2, 0));   // within the first one
-  add_triangle(soup, Point_3(4, 0, 0), Point_3(0, 0, 0), Point_3(0.1, 3, 0)); // over a common edge
-  add_triangle(soup, Point_3(1, 0.5, 0), Point_3(1, 1, 1), Point_3(2, 1, 1)); // touches the first one
-  CHECK(chosen(soup).report().number_of(Reason::INTERSECTING) == 2);
+  add_triangle(soup, Point_3(1, 1, 0), Point_3(2, 1, 0), Point_3(1, 2, 0));       // within the first one
+  add_triangle(soup, Point_3(4, 0, 0), Point_3(0, 0, 0), Point_3(0.1, 3, 0));     // over a common edge
+  add_triangle(soup, Point_3(1, 0.5, 0), Point_3(1, 1, 1), Point_3(2, 1, 1));     // touches the first one
+  CHECK(chosen(soup).excised_triangles() == std::vector<std::size_t>{ 1, 2, 3 }); // less area than 0 and 2
   CHECK_FALSE(CGAL::Polygon_mesh_processing::does_self_intersect(chosen(soup).mesh()));
 }
 
@@ -185,7 +185,7 @@ TEST_CASE("Choice of an excision: a one-sided strip is cut")
   }
   const BS::Excised_soup_3 result = checked(soup);
   CHECK(result.report().number_of(Reason::NOT_ORIENTABLE) == 1);
-  CHECK(result.report().excised == 1);
+  CHECK(result.report().excised == 2); // the other half of its rectangle hangs at a vertex then
 }
 
 TEST_CASE("Choice of an excision: a border vertex whose fan cannot be completed is excised, an open one is not")
@@ -219,25 +219,24 @@ TEST_CASE("Choice of an excision: a pin at which facets face no common direction
 
 TEST_CASE("Choice of an excision: small pieces that excision separated are excised, and small components are kept")
 {
-  // The end of a thin strip beyond a triangle that is excised.
+  // A thin strip at the side of a sheet.
   BS::Polygon_soup soup = soup_of(sheet(steps(0, 10, 10), steps(0, 10, 10)));
-  const auto point = [&](double x, double y) {
-    soup.points.emplace_back(x, y, 0);
-    return soup.points.size() - 1;
-  };
-  const std::size_t p = point(10, 5), q = point(10, 6), r = point(11, 5.5), s = point(11, 6.5);
-  soup.polygons.push_back({ p, r, q });
-  soup.polygons.push_back({ r, s, q });
-  add_triangle(soup, Point_3(10.3, 5.4, -0.1), Point_3(10.4, 5.5, -0.1), Point_3(10.35, 5.45, 0.1));
-  const std::size_t size = soup.polygons.size();
-  const BS::Excised_soup_3 cut = checked(soup);
-  CHECK(cut.report().excised == 1);
-
-  BS::Soup_triangles triangles = BS::different_triangles(soup);
-  const BS::Excised_soup_3 more = BS::excise_also(cut, { size - 3 }, Reason::NOT_CLOSABLE);
-  CHECK(more.reasons()[size - 3] == Reason::NOT_CLOSABLE);
-  CHECK(more.reasons()[size - 2] == Reason::FRAGMENT);
-  CHECK(more.report().excised == 3);
+  const std::size_t first = soup.polygons.size();
+  for(int n = 0; n < 2; ++n) {
+    const double x = 10 + 0.5 * n;
+    add_triangle(soup, Point_3(x, 5, 0), Point_3(x + 0.5, 5, 0), Point_3(x, 6, 0));
+    add_triangle(soup, Point_3(x + 0.5, 5, 0), Point_3(x + 0.5, 6, 0), Point_3(x, 6, 0));
+  }
+  const BS::Excised_soup_3 whole = checked(soup);
+  CHECK(whole.report().excised == 0);
+  const BS::Excised_soup_3 cut = BS::excise_also(whole, { first, first + 1 }, Reason::NOT_CLOSABLE);
+  CHECK(cut.reasons()[first] == Reason::NOT_CLOSABLE);
+  CHECK(cut.reasons()[first + 2] == Reason::FRAGMENT);
+  CHECK(cut.reasons()[first + 3] == Reason::FRAGMENT);
+  CHECK(cut.report().excised == 4);
+  BS::Excision_parameters all;
+  all.largest_fragment = 1e-9;
+  CHECK(BS::excise_also(whole, { first, first + 1 }, Reason::NOT_CLOSABLE, all).report().excised == 2);
 
   const BS::Excised_soup_3 both = checked(soup_of(joined(sphere(2), sphere(0, 0.01, Point_3(3, 0, 0)))));
   CHECK(both.report().excised == 0);
