@@ -140,10 +140,11 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
     }
     if(result.shell_of_mesh.is_certified() || BS::internal::ends_all_attempts(result.mesh_status)) return;
     status = &result.excision_status;
-    BS::internal::try_excision(
-      soup, welded, excision,
-      [&](const BS::Excised_soup_3::Mesh& mesh) { return certified_bspline_shell_3<ConcurrencyTag>(mesh, np); },
-      result);
+    const auto build_capped = [&](const BS::Excised_soup_3::Mesh& mesh, const auto& requires_cap) {
+      typedef BS::Named_parameters<std::decay_t<decltype(requires_cap)>, tags::hole_requires_cap_t, CGAL_NP_CLASS> Pack;
+      return certified_bspline_shell_3<ConcurrencyTag>(mesh, Pack(requires_cap, np));
+    };
+    BS::internal::try_excision(soup, welded, excision, build_capped, result);
     if(result.excised || BS::internal::ends_all_attempts(result.excision_status)) return;
     switch(result.mesh_status) {
       case BS::Shell_status::NON_MANIFOLD:

@@ -21,6 +21,12 @@
 namespace CGAL {
 namespace Bspline_shells {
 
+namespace internal {
+
+struct Excised_soup_access;
+
+} // namespace internal
+
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
@@ -66,10 +72,8 @@ public:
   /// \param soup the triangles
   /// \param reasons by triangle
   /// \param is_reversed by triangle: whether the facet of the mesh has the opposite orientation
-  /// \param attempts the number of meshes for which a shell was tried
   /// If the kept triangles are not an oriented manifold, there is no mesh.
-  Excised_soup_3(Soup_triangles soup, std::vector<Excision_reason> reasons, std::vector<char> is_reversed,
-                 std::size_t attempts = 0);
+  Excised_soup_3(Soup_triangles soup, std::vector<Excision_reason> reasons, std::vector<char> is_reversed);
 
   /// returns whether the kept triangles form a mesh with at least one facet
   explicit operator bool() const { return m_mesh.number_of_faces() > 0; }
@@ -98,6 +102,8 @@ public:
   const Excision_report& report() const { return m_report; }
 
 private:
+  friend struct internal::Excised_soup_access;
+
   bool build_mesh();
   void find_pins();
   void count();
@@ -113,6 +119,23 @@ private:
   Excision_report m_report;
 };
 
+namespace internal {
+
+// Changes parts of an excised soup, which then may be invalid. It serves tests of `check_excision()`.
+struct Excised_soup_access
+{
+  static Excised_soup_3::Mesh& mesh(Excised_soup_3& soup) { return soup.m_mesh; }
+  static std::vector<Excised_soup_3::Mesh::Vertex_index>& pinned_vertices(Excised_soup_3& soup)
+  {
+    return soup.m_pinned_vertices;
+  }
+  static std::vector<Excised_soup_3::Mesh::Edge_index>& pinned_edges(Excised_soup_3& soup)
+  {
+    return soup.m_pinned_edges;
+  }
+};
+
+} // namespace internal
 } // namespace Bspline_shells
 } // namespace CGAL
 

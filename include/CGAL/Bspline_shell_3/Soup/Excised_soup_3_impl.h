@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 CGAL_BSPLINE_SHELL_3_INLINE Excised_soup_3::Excised_soup_3(Soup_triangles soup, std::vector<Excision_reason> reasons,
-                                                           std::vector<char> is_reversed, std::size_t attempts)
+                                                           std::vector<char> is_reversed)
   : m_soup(std::move(soup)), m_reasons(std::move(reasons)), m_is_reversed(std::move(is_reversed))
 {
   CGAL_precondition(m_reasons.size() == m_soup.triangles.size());
@@ -33,7 +33,6 @@ CGAL_BSPLINE_SHELL_3_INLINE Excised_soup_3::Excised_soup_3(Soup_triangles soup, 
     if(this->is_excised(t)) m_excised.push_back(t);
   if(build_mesh()) find_pins();
   count();
-  m_report.attempts = attempts;
 }
 
 // Returns false, and leaves the mesh empty, if the kept triangles are not an oriented manifold.

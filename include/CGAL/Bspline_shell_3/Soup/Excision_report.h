@@ -67,7 +67,6 @@ struct Excision_report
   std::size_t pinned_vertices = 0, pinned_edges = 0;
   std::size_t reversed = 0;   ///< facets of the mesh with the opposite orientation of their polygons
   std::size_t duplicates = 0; ///< triangles with the corners of another one, which represents them
-  std::size_t attempts = 0;   ///< meshes for which a shell was tried
 
   std::size_t number_of(Excision_reason reason) const { return triangles_with[std::size_t(reason)]; }
 };
@@ -79,7 +78,9 @@ inline std::string message(const Excision_report& report)
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << report.excised << " of " << report.triangles << " triangles (" << std::setprecision(2)
-       << 100 * report.excised_area << " % of the area) are excised, and stay exactly as they are";
+       << 100 * report.excised_area << " % of the area) "
+       << (report.excised == 1 ? "is excised, and stays exactly as it is"
+                               : "are excised, and stay exactly as they are");
   const char* separator = ": ";
   for(std::size_t n = 1; n < number_of_excision_reasons; ++n)
     if(report.triangles_with[n] > 0) {

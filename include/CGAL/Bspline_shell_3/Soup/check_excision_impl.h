@@ -195,8 +195,11 @@ private:
   {
     const auto& points = m_soup.soup().points;
     const Numbered_complex all(m_soup.soup().triangles);
-    if(const auto facet = all.facet_with_wrong_corner(points.size()))
-      return fail_at(Excision_status::REPEATED_CORNER, { facet->begin(), facet->end() });
+    if(const auto facet = all.facet_with_wrong_corner(points.size())) {
+      const auto& triangles = all.facets();
+      return fail(Excision_status::REPEATED_CORNER,
+                  { std::size_t(std::find(triangles.begin(), triangles.end(), *facet) - triangles.begin()) });
+    }
     if(const auto facet = all.repeated_facet())
       return fail_at(Excision_status::REPEATED_TRIANGLE, { facet->begin(), facet->end() });
     const auto [v, w] = Point_numbers(points).equal_points();
@@ -223,7 +226,7 @@ private:
       if(m_soup.is_excised(t)) continue;
       ++kept;
       const Mesh::Face_index f = m_soup.facet_of(t);
-      if(f == Mesh::null_face() || m_soup.triangle_of(f) != t) {
+      if(f == Mesh::null_face() || mesh.is_removed(f) || m_soup.triangle_of(f) != t) {
         different.push_back(t);
         continue;
       }

@@ -53,7 +53,7 @@ inline bool excise_fragments(Excision_state& state, const Triangle_sets& compone
 // \param points points of triangles that were excised last
 // \pre each edge has at most two kept triangles, of consistent orientation
 inline Excised_soup_3 excise_until_stable(Excision_state& state, std::vector<std::size_t> points,
-                                          const Excision_parameters& parameters, std::size_t attempts)
+                                          const Excision_parameters& parameters)
 {
   const Triangle_sets components = connected_triangles(
     state, [](std::size_t) { return true; }, std::size_t(-1));
@@ -64,7 +64,7 @@ inline Excised_soup_3 excise_until_stable(Excision_state& state, std::vector<std
     points = std::move(state.changed);
     state.changed.clear();
   } while(!points.empty());
-  return Excised_soup_3(std::move(state.soup), std::move(state.reasons), std::move(state.is_reversed), attempts);
+  return Excised_soup_3(std::move(state.soup), std::move(state.reasons), std::move(state.is_reversed));
 }
 
 } // namespace internal
@@ -118,7 +118,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Excised_soup_3 choose_excision(Soup_triangles soup, 
   internal::orient_or_excise(state);
   std::vector<std::size_t> all(state.soup.points.size());
   std::iota(all.begin(), all.end(), std::size_t(0));
-  return internal::excise_until_stable(state, std::move(all), parameters, 0);
+  return internal::excise_until_stable(state, std::move(all), parameters);
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE Excised_soup_3 excise_also(const Excised_soup_3& soup,
@@ -130,7 +130,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Excised_soup_3 excise_also(const Excised_soup_3& sou
   for(std::size_t t = 0; t < is_reversed.size(); ++t) is_reversed[t] = soup.is_reversed(t);
   internal::Excision_state state(soup.soup(), soup.reasons(), std::move(is_reversed));
   for(std::size_t t : triangles) state.excise(t, reason);
-  return internal::excise_until_stable(state, std::exchange(state.changed, {}), parameters, soup.report().attempts + 1);
+  return internal::excise_until_stable(state, std::exchange(state.changed, {}), parameters);
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE Excised_soup_3 reverse_facets(const Excised_soup_3& soup,
@@ -139,7 +139,7 @@ CGAL_BSPLINE_SHELL_3_INLINE Excised_soup_3 reverse_facets(const Excised_soup_3& 
   std::vector<char> is_reversed(soup.soup().triangles.size());
   for(std::size_t t = 0; t < is_reversed.size(); ++t) is_reversed[t] = soup.is_reversed(t);
   for(auto f : facets) is_reversed[soup.triangle_of(f)] = char(!is_reversed[soup.triangle_of(f)]);
-  return Excised_soup_3(soup.soup(), soup.reasons(), std::move(is_reversed), soup.report().attempts + 1);
+  return Excised_soup_3(soup.soup(), soup.reasons(), std::move(is_reversed));
 }
 
 } // namespace Bspline_shells

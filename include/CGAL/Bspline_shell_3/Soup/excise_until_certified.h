@@ -6,7 +6,6 @@
 #ifndef CGAL_BSPLINE_SHELL_3_SOUP_EXCISE_UNTIL_CERTIFIED_H
 #define CGAL_BSPLINE_SHELL_3_SOUP_EXCISE_UNTIL_CERTIFIED_H
 
-#include <CGAL/Bspline_shell_3/Shell/Closing_report.h>
 #include <CGAL/Bspline_shell_3/Shell/Refinement_obstacle.h>
 #include <CGAL/Bspline_shell_3/Shell/Shell_report.h>
 #include <CGAL/Bspline_shell_3/Shell/Truncation_report.h>
@@ -14,6 +13,7 @@
 #include <CGAL/Bspline_shell_3/Soup/check_excision.h>
 #include <CGAL/Bspline_shell_3/Soup/choose_excision.h>
 #include <CGAL/Bspline_shell_3/Soup/internal/Excision_growth.h>
+#include <CGAL/Bspline_shell_3/Soup/internal/Excision_holes.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 #include <CGAL/Bspline_shell_3/Support/sort_unique.h>
@@ -28,7 +28,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -100,38 +99,6 @@ inline std::vector<Excised_soup_3::Mesh::Face_index> facets_on_wrong_side(const 
   return facets;
 }
 
-// Returns the facets at the holes that have no cap. Only holes are considered whose vertices all belong to excised
-// triangles, so that they are due to excision.
-inline std::vector<Excised_soup_3::Mesh::Face_index> facets_at_uncapped_holes(const Excised_soup_3& soup,
-                                                                              const Closing_report& report)
-{
-  typedef Excised_soup_3::Mesh Mesh;
-  const Mesh& mesh = soup.mesh();
-  std::set<std::array<double, 3> > uncapped; // a point of each hole
-  for(const Closing_report::Hole& hole : report.holes)
-    if(!hole.is_capped) uncapped.insert(hole.point);
-  std::vector<char> is_excised(soup.soup().points.size(), 0); // by point: whether an excised triangle has it
-  for(std::size_t t : soup.excised_triangles())
-    for(std::size_t v : soup.soup().triangles[t]) is_excised[v] = 1;
-  std::vector<Mesh::Face_index> facets;
-  std::vector<char> is_known(mesh.number_of_halfedges(), 0);
-  for(auto border : mesh.halfedges()) {
-    if(is_known[border] || !mesh.is_border(border)) continue;
-    bool is_uncapped = false, is_due_to_excision = true;
-    for(auto h : mesh.halfedges_around_face(border)) {
-      is_known[h] = 1;
-      const auto& p = mesh.point(mesh.target(h));
-      is_uncapped = is_uncapped || uncapped.count({ p.x(), p.y(), p.z() }) > 0;
-      is_due_to_excision = is_due_to_excision && is_excised[soup.point_of(mesh.target(h))];
-    }
-    if(!is_uncapped || !is_due_to_excision) continue;
-    for(auto h : mesh.halfedges_around_face(border))
-      for(auto f : mesh.faces_around_target(h))
-        if(f != Mesh::null_face()) facets.push_back(f);
-  }
-  return facets;
-}
-
 // Tries shells of the mesh of an excised soup, and excises more where they fail.
 template <typename Shell>
 class Excision_attempts
@@ -142,14 +109,17 @@ public:
   Excision_attempts(Excised_soup_3 soup, const Excision_limits& limits) : m_soup(std::move(soup)), m_limits(limits) {}
 
   // Returns whether there is a certified shell.
-  // \param build returns the shell of a mesh
+  // \param build returns the shell of a mesh, in which holes with the given points have a cap
   template <typename Build>
   bool run(const Build& build)
   {
-    for(std::size_t attempt = 0; attempt < m_limits.attempts; ++attempt) {
+    for(; m_attempts < m_limits.attempts; ++m_attempts) {
       Run::poll();
-      if(!m_soup || exceeds_share()) return false;
-      m_shell = build(m_soup.mesh());
+      if(!m_soup || m_soup.report().excised_area > m_limits.share) return false;
+      const Excision_holes holes(m_soup);
+      const bool may_have_sheets = m_attempts + 1 == m_limits.attempts;
+      m_shell = build(m_soup.mesh(),
+                      [&](const std::array<double, 3>& p) { return !may_have_sheets && holes.contain(p); });
       if(ends_all_attempts(m_shell.status())) return false;
       if(m_shell.is_certified()) {
         const Excision_verdict verdict = check_excision(m_soup, truncated_vertices(m_shell.report().truncation));
@@ -163,7 +133,6 @@ public:
     return false;
   }
 
-  bool exceeds_share() const { return m_soup.report().excised_area > m_limits.share; }
   Excised_soup_3& soup() { return m_soup; }
   Shell& shell() { return m_shell; }
 
@@ -197,9 +166,8 @@ private:
       case Shell_status::SINGULAR_VERTEX: break;
       default: return false;
     }
-    // A back sheet of a surface with small holes fails anywhere, because of the holes that have no cap.
     if(m_shell.status() == Shell_status::NOT_CLOSABLE
-       && excise(facets_at_uncapped_holes(m_soup, m_shell.report().closing), Excision_reason::NOT_CLOSABLE, 0))
+       && excise(Excision_holes(m_soup).facets_without_cap(m_shell.report().closing), Excision_reason::NOT_CLOSABLE, 0))
       return true;
     std::vector<Mesh::Vertex_index> vertices;
     for(std::size_t v : offenders.vertices) vertices.emplace_back(Mesh::size_type(v));
@@ -236,7 +204,8 @@ private:
   Shell m_shell;
   Excision_limits m_limits;
   Excision_growth m_growth;
-  std::size_t m_shells = 0; // that were built, but are not certified
+  std::size_t m_attempts = 0; // that failed
+  std::size_t m_shells = 0;   // that were built, but are not certified
   bool m_has_reversed = false;
 };
 
@@ -252,7 +221,8 @@ private:
  * facets there are excised, too. Components that face the wrong side are reversed. If this is impossible because they
  * are open, they are excised.
  *
- * \tparam Build a function from `Excised_soup_3::Mesh` to `Shell`
+ * \tparam Build a function that returns the `Shell` of an `Excised_soup_3::Mesh`. Its second argument is a function that
+ *   returns whether the hole at a point has to be capped (`hole_requires_cap`).
  * \tparam Shell a `Bspline_shell_3`
  * \param[in,out] soup an excised soup; afterwards, the last one that was tried
  * \param[out] shell the last shell that was built

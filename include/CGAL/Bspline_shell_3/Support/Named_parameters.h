@@ -31,6 +31,7 @@ namespace Bspline_shells {
   OWN(allow_singular_vertices)                                                                                         \
   OWN(virtual_closing)                                                                                                 \
   OWN(closing)                                                                                                         \
+  OWN(hole_requires_cap)                                                                                               \
   OWN(truncate)                                                                                                        \
   OWN(least_cone_margin)                                                                                               \
   OWN(alpha)                                                                                                           \
