@@ -14,12 +14,12 @@
 #include <CGAL/Bspline_shell_3/Soup/choose_excision.h>
 #include <CGAL/Bspline_shell_3/Soup/internal/Excision_growth.h>
 #include <CGAL/Bspline_shell_3/Soup/internal/Excision_holes.h>
+#include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 #include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -58,7 +58,7 @@ inline std::vector<Excised_soup_3::Mesh::Face_index> facets_at_obstacles(
   const Excised_soup_3::Mesh& mesh, const std::vector<Refinement_obstacle>& obstacles)
 {
   typedef AABB_face_graph_triangle_primitive<Excised_soup_3::Mesh> Primitive;
-  typedef AABB_tree<AABB_traits<Exact_predicates_inexact_constructions_kernel, Primitive> > Tree;
+  typedef AABB_tree<AABB_traits_3<Exact_predicates_inexact_constructions_kernel, Primitive> > Tree;
   std::vector<Excised_soup_3::Mesh::Face_index> facets;
   Tree tree(faces(mesh).first, faces(mesh).second, mesh);
   for(const Refinement_obstacle& o : obstacles) {
