@@ -5,7 +5,7 @@
 #include <CGAL/Bspline_shell_3/Soup/rejoin_excised.h>
 #include <CGAL/Bspline_shell_3/Soup/transfer_in_excised_soup.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
-#include "excised_soups.h"
+#include "finned_sphere.h"
 #include "test_meshes.h"
 
 #include <array>

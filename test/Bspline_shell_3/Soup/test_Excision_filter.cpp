@@ -4,7 +4,7 @@
 #include <CGAL/Bspline_shell_3/Soup/check_excision.h>
 #include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
-#include "excised_soups.h"
+#include "finned_sphere.h"
 #include "test_meshes.h"
 
 #include <CGAL/property_map.h>

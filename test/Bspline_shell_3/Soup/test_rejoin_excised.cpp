@@ -1,7 +1,7 @@
 // The rejoined soup has the facets of the mesh and the excised triangles, with common vertices at equal points.
 #include <CGAL/Bspline_shell_3/Soup/check_excision.h>
 #include <CGAL/Bspline_shell_3/Soup/rejoin_excised.h>
-#include "excised_soups.h"
+#include "finned_sphere.h"
 #include "test_meshes.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // A sphere with excised triangles, and its shell.
-#ifndef EXCISED_SOUPS_H
-#define EXCISED_SOUPS_H
+#ifndef FINNED_SPHERE_H
+#define FINNED_SPHERE_H
 
 #include <CGAL/Bspline_shell_3/Soup/Excised_soup_3.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
@@ -68,4 +68,4 @@ public:
     soup.mesh(), CGAL::Bspline_shells::parameters::relative_thickness(0.05));
 };
 
-#endif // EXCISED_SOUPS_H
+#endif // FINNED_SPHERE_H
