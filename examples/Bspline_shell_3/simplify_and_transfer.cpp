@@ -44,7 +44,9 @@ const char* const usage =
   "  --threads N             number of threads (default: all processors)\n"
   "Writes\n"
   "  PREFIX.json                 report on the repairs, the proxy and the shell\n"
-  "  PREFIX_mesh.ply             the mesh of the shell: the repaired input, or a proxy\n"
+  "  PREFIX_mesh.ply             the mesh of the shell: the repaired input, possibly without excised triangles, or a\n"
+  "                              proxy\n"
+  "  PREFIX_excised.ply          excised triangles, if any\n"
   "  PREFIX_simplified.ply       the simplified mesh\n"
   "  PREFIX_detail.ply           the same surface, subdivided to show the transferred color of every point\n"
   "  PREFIX_simplified.json      numbers of facets, and errors of points after the round trip between both meshes\n"
@@ -246,6 +248,7 @@ int run(const Options& options, const Results& results)
   std::cout << std::setprecision(3);
   print_repairs(found.repairs);
   if(found.proxy) print_reason(found);
+  if(found.excised && !write_excised(results.pending("_excised.ply"), *found.excised)) return CANNOT_WRITE;
   row("mesh") << mesh.number_of_faces() << " facets, " << name(found.kind()) << "\n";
   row("shell") << "certified; thickness " << 100 * shell.relative_thickness() << " % of the bounding box; "
                << shell.report().cells << " cells; " << shell_seconds << " s\n";
@@ -274,7 +277,7 @@ int main(int argc, char** argv)
                       .read(argc, argv);
   if(code) return *code;
   const Results results(options.output, { ".json", "_mesh.ply", "_inner.ply", "_outer.ply", "_places.ply",
-                                          "_simplified.ply", "_detail.ply", "_simplified.json" });
+                                          "_simplified.ply", "_detail.ply", "_simplified.json", "_excised.ply" });
   if(const int refused = results.prepare(options.file)) return refused;
 #ifdef CGAL_LINKED_WITH_TBB
   std::optional<tbb::global_control> control;
