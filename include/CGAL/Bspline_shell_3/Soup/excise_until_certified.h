@@ -91,7 +91,7 @@ inline std::vector<Excised_soup_3::Mesh::Face_index> facets_on_wrong_side(const 
   const std::size_t size = Polygon_mesh_processing::connected_components(mesh, CGAL::make_property_map(component));
   std::vector<char> is_listed(size, 0);
   for(std::size_t f : listed) is_listed[component[f]] = 1;
-  double area[2] = { 0, 0 }; // of the other components, and of those listed
+  double area[2] = { 0, 0 }; // the sums for the other components, and for those listed
   for(auto f : mesh.faces()) area[std::size_t(is_listed[component[f]])] += Polygon_mesh_processing::face_area(f, mesh);
   const char chosen = area[1] <= area[0] ? 1 : 0;
   std::vector<Mesh::Face_index> facets;
@@ -205,8 +205,8 @@ private:
   Shell m_shell;
   Excision_limits m_limits;
   Excision_growth m_growth;
-  std::size_t m_attempts = 0; // that failed
-  std::size_t m_shells = 0;   // that were built, but are not certified
+  std::size_t m_attempts = 0; // number of failed attempts
+  std::size_t m_shells = 0;   // number of shells without a certificate
   bool m_has_reversed = false;
 };
 
