@@ -218,7 +218,7 @@ private:
  * \brief builds a certified shell of the mesh of an excised soup, and excises more triangles where this fails.
  *
  * If the mesh cannot be closed, the facets at which this fails are excised. If the same place fails again, rings of
- * facets around it are excised, too, twice as many each time. If a shell is not certified because of a few places, the
+ * facets around it are excised, too, one more each time. If a shell is not certified because of a few places, the
  * facets there are excised, too. Components that face the wrong side are reversed. If this is impossible because they
  * are open, they are excised.
  *
