@@ -47,6 +47,7 @@ const char* const usage =
   "Writes\n"
   "  PREFIX.json                 report on the repairs, the proxy and the shell\n"
   "  PREFIX_mesh.ply             the mesh of the shell: the repaired input without excised triangles, or a proxy\n"
+  "  PREFIX_excised.ply          excised triangles, if any\n"
   "  PREFIX_simplified.ply       the simplified mesh\n"
   "  PREFIX_whole.ply            if triangles are excised: the simplified mesh and these triangles, without "
   "attributes\n"
@@ -277,6 +278,7 @@ int run(const Options& options, const Results& results)
   std::cout << std::setprecision(3);
   print_repairs(found.repairs);
   if(found.proxy) print_reason(found);
+  if(found.excised && !write_excised(results.pending("_excised.ply"), *found.excised)) return CANNOT_WRITE;
   row("mesh") << mesh.number_of_faces() << " facets, " << name(found.kind()) << "\n";
   if(found.excised) row("excised") << found.excision_message() << "\n";
   row("shell") << "certified; thickness " << 100 * shell.relative_thickness() << " % of the bounding box; "
@@ -306,7 +308,8 @@ int main(int argc, char** argv)
                       .read(argc, argv);
   if(code) return *code;
   const Results results(options.output, { ".json", "_mesh.ply", "_inner.ply", "_outer.ply", "_places.ply",
-                                          "_simplified.ply", "_whole.ply", "_detail.ply", "_simplified.json" });
+                                          "_simplified.ply", "_whole.ply", "_detail.ply", "_simplified.json",
+                                          "_excised.ply" });
   if(const int refused = results.prepare(options.file)) return refused;
 #ifdef CGAL_LINKED_WITH_TBB
   std::optional<tbb::global_control> control;

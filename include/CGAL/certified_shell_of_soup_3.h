@@ -57,8 +57,8 @@ namespace CGAL {
  *       \cgalParamDefault{four units in the last digit of the coordinates, or less if edges or the shell are small}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{largest_excised_share}
- *       \cgalParamDescription{the largest fraction of the area of the polygons that may be excised; 0 if none may be; at
- *         least 0 and at most 1}
+ *       \cgalParamDescription{the largest fraction of the area of the polygons that may be excised; at least 0 and at
+ *         most 1. If it is 0, nothing is excised.}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{0.1}
  *     \cgalParamNEnd

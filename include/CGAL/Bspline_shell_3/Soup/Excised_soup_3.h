@@ -73,6 +73,7 @@ public:
   /// \param reasons by triangle
   /// \param is_reversed by triangle: whether the facet of the mesh has the opposite orientation
   /// If the kept triangles are not an oriented manifold, there is no mesh.
+  /// \pre triangles refer only to points of the soup
   Excised_soup_3(Soup_triangles soup, std::vector<Excision_reason> reasons, std::vector<char> is_reversed);
 
   /// returns whether the kept triangles form a mesh with at least one facet

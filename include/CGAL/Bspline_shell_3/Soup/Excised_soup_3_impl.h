@@ -40,7 +40,7 @@ CGAL_BSPLINE_SHELL_3_INLINE bool Excised_soup_3::build_mesh()
 {
   m_facet_of.assign(m_soup.triangles.size(), Mesh::null_face());
   m_vertex_at.assign(m_soup.points.size(), Mesh::null_vertex());
-  std::vector<std::size_t> number(m_soup.points.size(), none); // of the vertex
+  std::vector<std::size_t> number(m_soup.points.size(), none); // by point: its vertex
   Polygon_soup::Polygons kept;
   for(std::size_t t = 0; t < m_soup.triangles.size(); ++t) {
     if(is_excised(t)) continue;

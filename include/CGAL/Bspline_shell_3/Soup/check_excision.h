@@ -22,7 +22,7 @@ enum class Excision_status
 {
   VALID,
   EQUAL_POINTS,       ///< two vertices have the same coordinates
-  REPEATED_CORNER,    ///< a triangle has an undefined or a repeated corner
+  REPEATED_CORNER,    ///< a triangle has a repeated corner
   REPEATED_TRIANGLE,  ///< two triangles have the same corners
   NOT_MANIFOLD,       ///< an edge of the mesh has more than two facets, or a vertex has several fans
   NOT_ORIENTED,       ///< two facets of the mesh traverse their common edge in the same direction

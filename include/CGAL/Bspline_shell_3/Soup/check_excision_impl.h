@@ -28,7 +28,7 @@ CGAL_BSPLINE_SHELL_3_INLINE const char* message(Excision_status status)
   switch(status) {
     case Excision_status::VALID: return "The mesh and the excised triangles meet all conditions.";
     case Excision_status::EQUAL_POINTS: return "Two vertices have the same coordinates.";
-    case Excision_status::REPEATED_CORNER: return "A triangle has an undefined or a repeated corner.";
+    case Excision_status::REPEATED_CORNER: return "A triangle has a repeated corner.";
     case Excision_status::REPEATED_TRIANGLE: return "Two triangles have the same corners.";
     case Excision_status::NOT_MANIFOLD:
       return "An edge of the mesh has more than two facets, or a vertex has several fans.";
@@ -193,16 +193,15 @@ private:
   // All triangles are a simplicial complex: corners are different points, and triangles have different corners.
   bool check_complex()
   {
-    const auto& points = m_soup.soup().points;
     const Numbered_complex all(m_soup.soup().triangles);
-    if(const auto facet = all.facet_with_wrong_corner(points.size())) {
+    if(const auto facet = all.facet_with_repeated_corner()) {
       const auto& triangles = all.facets();
       return fail(Excision_status::REPEATED_CORNER,
                   { std::size_t(std::find(triangles.begin(), triangles.end(), *facet) - triangles.begin()) });
     }
     if(const auto facet = all.repeated_facet())
       return fail_at(Excision_status::REPEATED_TRIANGLE, { facet->begin(), facet->end() });
-    const auto [v, w] = Point_numbers(points).equal_points();
+    const auto [v, w] = Point_numbers(m_soup.soup().points).equal_points();
     return v == w || fail_at(Excision_status::EQUAL_POINTS, { v });
   }
 
@@ -343,7 +342,7 @@ private:
 
   bool check_manifold(const Numbered_complex& replacement)
   {
-    if(const auto facet = replacement.facet_with_wrong_corner(m_size + m_number.size()))
+    if(const auto facet = replacement.facet_with_repeated_corner())
       return fail_at(Excision_status::REPEATED_CORNER, { facet->begin(), facet->end() });
     if(const auto facet = replacement.repeated_facet())
       return fail_at(Excision_status::REPEATED_TRIANGLE, { facet->begin(), facet->end() });

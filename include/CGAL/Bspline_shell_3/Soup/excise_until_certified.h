@@ -43,8 +43,9 @@ struct Excision_limits
 {
   /// largest fraction of the area that may be excised
   double share = 0.1;
-  /// largest number of meshes that are tried. Six doublings of the rings around a place reach 64 facets away.
-  std::size_t attempts = 8;
+  /// largest number of meshes that are tried. Doublings of the rings around one place reach the limit of the area
+  /// first.
+  std::size_t attempts = 12;
   /// largest number of shells that are fitted; each may take as long as the shell of a sound mesh
   std::size_t shells = 3;
   /// largest number of places without a proof that are excised. More places are a property of the surface, not defects.
@@ -90,7 +91,7 @@ inline std::vector<Excised_soup_3::Mesh::Face_index> facets_on_wrong_side(const 
   const std::size_t size = Polygon_mesh_processing::connected_components(mesh, CGAL::make_property_map(component));
   std::vector<char> is_listed(size, 0);
   for(std::size_t f : listed) is_listed[component[f]] = 1;
-  double area[2] = { 0, 0 }; // of the other components, and of those listed
+  double area[2] = { 0, 0 }; // the sums for the other components, and for those listed
   for(auto f : mesh.faces()) area[std::size_t(is_listed[component[f]])] += Polygon_mesh_processing::face_area(f, mesh);
   const char chosen = area[1] <= area[0] ? 1 : 0;
   std::vector<Mesh::Face_index> facets;
@@ -173,7 +174,7 @@ private:
     for(std::size_t v : offenders.vertices) vertices.emplace_back(Mesh::size_type(v));
     Facets facets = facets_at(vertices);
     for(std::size_t f : offenders.facets) facets.emplace_back(Mesh::size_type(f));
-    return excise(facets, Excision_reason::NOT_CLOSABLE, 1);
+    return excise(facets, Excision_reason::NOT_CLOSABLE, 0);
   }
 
   Facets facets_at(const std::vector<Mesh::Vertex_index>& vertices) const
@@ -204,8 +205,8 @@ private:
   Shell m_shell;
   Excision_limits m_limits;
   Excision_growth m_growth;
-  std::size_t m_attempts = 0; // that failed
-  std::size_t m_shells = 0;   // that were built, but are not certified
+  std::size_t m_attempts = 0; // number of failed attempts
+  std::size_t m_shells = 0;   // number of shells without a certificate
   bool m_has_reversed = false;
 };
 
@@ -216,13 +217,13 @@ private:
  *
  * \brief builds a certified shell of the mesh of an excised soup, and excises more triangles where this fails.
  *
- * If the mesh cannot be closed, the facets at which this fails are excised with a ring of facets around them. If the
- * same place fails again, the number of rings is doubled. If a shell is not certified because of a few places, the
+ * If the mesh cannot be closed, the facets at which this fails are excised. If the same place fails again, rings of
+ * facets around it are excised, too, one more each time. If a shell is not certified because of a few places, the
  * facets there are excised, too. Components that face the wrong side are reversed. If this is impossible because they
  * are open, they are excised.
  *
- * \tparam Build a function that returns the `Shell` of an `Excised_soup_3::Mesh`. Its second argument is a function that
- *   returns whether the hole at a point has to be capped (`hole_requires_cap`).
+ * \tparam Build a function that returns the `Shell` of an `Excised_soup_3::Mesh`. Its second argument is a function
+ *   that returns whether the hole at a point has to be capped (`hole_requires_cap`).
  * \tparam Shell a `Bspline_shell_3`
  * \param[in,out] soup an excised soup; afterwards, the last one that was tried
  * \param[out] shell the last shell that was built

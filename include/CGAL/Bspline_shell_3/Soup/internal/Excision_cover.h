@@ -35,7 +35,7 @@ typedef std::pair<std::size_t, std::size_t> Triangle_pair;
 inline std::vector<Triangle_pair> overlapping_triangles(const Soup_triangles& soup, const std::vector<char>& is_ignored)
 {
   typedef Box_intersection_d::Box_with_info_d<double, 3, std::size_t> Box;
-  constexpr std::size_t most_candidates = 1 << 20; // that wait for the exact test, in 16 MB
+  constexpr std::size_t most_candidates = 1 << 20; // pairs of boxes, 16 MB
   constexpr std::size_t chunk = 1024;
   constexpr std::ptrdiff_t cutoff = 2000; // fewer boxes are compared one by one, along an axis
   std::vector<Box> boxes;

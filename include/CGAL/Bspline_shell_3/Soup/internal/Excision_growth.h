@@ -16,8 +16,10 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Chooses the triangles that are excised at places where no shell was built: one ring of facets around offending
-// facets, and twice as many rings each time that a place fails again.
+// Chooses the triangles that are excised at places where no shell was built: offending facets, and rings of facets
+// around them. The first time, the caller chooses the number of rings. Each time that a place fails again, there is one
+// more ring around the facets that fail then. Hence the distance from the place grows like the square of the number of
+// failures. If it grows exponentially, holes become unnecessarily large.
 class Excision_growth
 {
   typedef Excised_soup_3::Mesh Mesh;
@@ -47,12 +49,12 @@ private:
     std::size_t remaining = 0; // around this facet
   };
 
-  // Returns the reach of an offending facet: twice that with which its place failed before, or the first one.
+  // Returns the reach of an offending facet: one more than when its place failed before, or the first one.
   std::size_t reach_of(const Excised_soup_3& soup, Face_index f, std::size_t first) const
   {
     std::size_t before = 0;
     for(std::size_t v : soup.soup().triangles[soup.triangle_of(f)]) before = (std::max)(before, m_reach_at[v]);
-    return before == 0 ? first : 2 * before;
+    return before == 0 ? first : before + 1;
   }
 
   std::vector<Reach> reach_from(const Excised_soup_3& soup, const std::vector<Face_index>& offenders,

@@ -61,11 +61,11 @@ public:
     return std::binary_search(m_sorted.begin(), m_sorted.end(), facet);
   }
 
-  // Returns a facet with an equal or an undefined corner. Corners must be less than `size`.
-  std::optional<Facet> facet_with_wrong_corner(std::size_t size) const
+  // Returns a facet with equal corners.
+  std::optional<Facet> facet_with_repeated_corner() const
   {
     for(const Facet& f : m_facets)
-      if(f[0] == f[1] || f[1] == f[2] || f[2] == f[0] || *std::max_element(f.begin(), f.end()) >= size) return f;
+      if(f[0] == f[1] || f[1] == f[2] || f[2] == f[0]) return f;
     return std::nullopt;
   }
   std::optional<Facet> repeated_facet() const
@@ -90,7 +90,7 @@ public:
   std::optional<std::size_t> vertex_of_several_fans() const
   {
     typedef std::pair<std::size_t, std::size_t> Place; // a vertex, and the position of a facet
-    std::vector<std::pair<Edge, std::size_t> > edges;  // with the position of the facet
+    std::vector<std::pair<Edge, std::size_t> > edges;  // each edge with the position of a facet
     std::vector<Place> places;
     for(std::size_t f = 0; f < m_facets.size(); ++f)
       for(std::size_t i = 0; i < 3; ++i) {

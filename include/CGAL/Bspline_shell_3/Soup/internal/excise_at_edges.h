@@ -123,7 +123,7 @@ inline void orient_or_excise(Excision_state& state)
 {
   struct Edge
   {
-    double area; // of both triangles
+    double area; // the sum for both triangles
     std::size_t first, second;
     bool is_contradiction;
   };
