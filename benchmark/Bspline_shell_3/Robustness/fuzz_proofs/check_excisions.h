@@ -186,6 +186,7 @@ public:
     const BS::Shell_of_soup_3 found = CGAL::certified_shell_of_soup_3<CGAL::Sequential_tag>(
       m_input, BS::parameters::relative_thickness(power_of_ten(random, -2, -1.2))
                  .largest_excised_share(chance(random, 0.2) ? 0.1 : 1)
+                 .effort_limit(3e4)
                  .offset(1e-30 * m_unit)); // too small, so that no time is spent on proxies
     m_tally.count(std::string("soup_") + (found ? std::string(name(found.kind())) : "without_shell"),
                   found.is_certified() || found.certification() == BS::Certification::EXCEPT_EXCISED
