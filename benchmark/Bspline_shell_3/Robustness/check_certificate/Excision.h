@@ -24,7 +24,7 @@ class Excision
   // Triangles with their edges and vertices. Equal coordinates are one vertex.
   struct Complex
   {
-    std::vector<Triple> triangles; // in their orientation, with the least corner first
+    std::vector<Triple> triangles; // oriented, the least corner first
     std::map<Triple, Index> place; // by sorted corners
     std::set<Edge> edges;          // the lesser end first
     std::set<Index> vertices;
@@ -187,7 +187,7 @@ private:
   std::map<Point, Index> number; // by position
   std::vector<Point> position;
   Complex kept, excised, replacement;
-  std::vector<Index> number_in_soup; // of excised triangles
+  std::vector<Index> number_in_soup; // positions of excised triangles
   std::vector<Triple> joined;        // the triangles after the replacement
 };
 

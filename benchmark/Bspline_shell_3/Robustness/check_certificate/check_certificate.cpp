@@ -28,9 +28,10 @@
 // orientation; the order of facets and vertices is irrelevant.
 //
 // The user's file may be a soup of triangles, only some of which form the mesh that the shell was built for. The others
-// are *excised*: they stay where they are when the mesh is edited. With --excised, U is the edited mesh, KEPT.off the
-// mesh before the edit, SOUP.off all triangles of the user's file, and JOINED.off the edited mesh with the excised
-// triangles. Facets of KEPT may have the opposite orientation in SOUP. The line then ends with " E":
+// are *excised*: they stay where they are when the mesh is edited. With --excised, U is the edited mesh, and
+// KEPT.off the mesh before the edit. SOUP.off contains all triangles of the user's file; some facets of KEPT may have
+// the opposite orientation there. JOINED.off contains the edited mesh and the excised triangles. The line then ends
+// with " E":
 //   E   the facets of KEPT are triangles of SOUP, and the others are the excised ones. JOINED consists of U and the
 //       excised triangles, bit for bit. KEPT and U have the same border, and the same vertices and edges, but no
 //       triangles, in common with the excised triangles. No excised triangle has a corner at a truncated tip. No two

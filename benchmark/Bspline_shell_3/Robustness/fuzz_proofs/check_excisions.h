@@ -28,7 +28,7 @@ struct Located_complex
   typedef std::array<Vertex, 2> Edge;
   typedef std::array<Vertex, 3> Facet;
 
-  std::vector<Facet> facets; // in their orientation
+  std::vector<Facet> facets; // oriented
   std::set<Vertex> vertices;
   std::set<Edge> edges, directed_edges; // undirected edges have the lesser end first
   std::set<Facet> sorted_facets;
@@ -281,7 +281,7 @@ private:
         }
         case 9: add(new_point((position(t[0]) + position(t[1])) / 2), near(t[0]), near(t[0])); break; // touches an edge
         case 10: add(t[0], t[1], new_point((position(t[0]) + position(t[1])) / 2)); break;            // almost flat
-        default: { // with an edge of one facet and the third vertex of another: a pillow, if they are adjacent
+        default: { // It has an edge of one facet and a vertex of another one: a pillow if they are adjacent.
           const auto& other = m_input.polygons[any(facets)];
           add(t[0], t[1], other[any(3)]);
           break;
@@ -291,7 +291,7 @@ private:
     if(chance(m_random, 0.3))
       for(std::size_t n = m_input.polygons.size(); n > 1; --n)
         std::swap(m_input.polygons[n - 1], m_input.polygons[any(n)]);
-    if(chance(m_random, 0.2)) // each triangle with points of its own
+    if(chance(m_random, 0.2)) // Triangles do not share points.
       for(auto& polygon : m_input.polygons)
         for(std::size_t& p : polygon) p = new_point(position(p));
   }
@@ -383,7 +383,7 @@ private:
            "the mesh does not replace itself");
   }
 
-  // The mesh is certified, and truncation does not move what it has in common with excised triangles.
+  // Checks that the mesh is certified, and that truncation does not move vertices and edges of excised triangles.
   void check_certificate(const Shell& exact, const Mesh& mesh, const std::string& kind)
   {
     Certificate certificate(*m_shell);
@@ -424,6 +424,7 @@ private:
         switch(m_random.get_int(0, 6)) {
           case 0: changed.point(v) = changed.point(v) + m_unit * CGAL::Vector_3<Kernel>(1e-3, 0, 1e-4); break;
           case 1: {
+            if(excised.empty()) break;
             const Vertex& p = excised[any(excised.size())];
             changed.point(v) = Point_3(p[0], p[1], p[2]);
             break;
@@ -598,7 +599,7 @@ private:
   const Soup* m_soup = nullptr;
   const Certified_shell* m_shell = nullptr;
   Located_complex m_kept, m_excised;
-  std::set<Edge> m_border; // of the mesh, directed
+  std::set<Edge> m_border; // directed border edges of the mesh
 };
 
 #endif // CHECK_EXCISIONS_H
