@@ -26,24 +26,27 @@ inline CGAL::Bspline_shells::Soup_triangles triangles_of(const Mesh& mesh)
   return soup;
 }
 
-// Returns a unit sphere of 1280 facets with three kinds of excised triangles: the first facet, which leaves a hole; a
-// *fin* at the inner edge of an inner facet, whose third point is above the sphere; and a *thorn* that has one vertex
-// of the sphere. The sphere's facets at odd positions are reversed in the soup.
-class Finned_sphere
+// Returns a unit sphere with three kinds of excised triangles: the first facet, which leaves a hole; a *fin* at the
+// inner edge of an inner facet, whose third point is above the sphere; and a *thorn* that has one vertex of the sphere.
+// The sphere's facets at odd positions are reversed in the soup.
+template <int SUBDIVISIONS>
+class Finned_sphere_of_size
 {
 public:
   typedef CGAL::Bspline_shells::Excised_soup_3 Soup;
-  static constexpr std::size_t hole = 0, facets = 1280, fin = facets, thorn = facets + 1, triangles = facets + 2;
+  static constexpr std::size_t hole = 0, facets = 20u << (2 * SUBDIVISIONS), fin = facets, thorn = facets + 1,
+                               triangles = facets + 2;
 
   static CGAL::Bspline_shells::Soup_triangles all_triangles()
   {
-    CGAL::Bspline_shells::Soup_triangles soup = triangles_of(sphere(3));
+    CGAL::Bspline_shells::Soup_triangles soup = triangles_of(sphere(SUBDIVISIONS));
     for(std::size_t n = 1; n < facets; n += 2) std::swap(soup.triangles[n][1], soup.triangles[n][2]);
     const auto above = [&](std::size_t v, double factor) {
       soup.points.push_back(CGAL::ORIGIN + factor * (soup.points[v] - CGAL::ORIGIN));
       return soup.points.size() - 1;
     };
-    const std::size_t a = soup.triangles[400][0], b = soup.triangles[400][1], c = soup.triangles[900][0];
+    const auto &of_fin = soup.triangles[facets * 5 / 16], &of_thorn = soup.triangles[facets * 45 / 64];
+    const std::size_t a = of_fin[0], b = of_fin[1], c = of_thorn[0];
     const std::size_t tip = above(a, 1.5), low = above(c, 1.2), high = above(c, 1.4);
     soup.points[high] = soup.points[high] + Vector_3(0.1, 0, 0.1);
     soup.triangles.push_back({ a, b, tip });
@@ -67,5 +70,6 @@ public:
   const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3(
     soup.mesh(), CGAL::Bspline_shells::parameters::relative_thickness(0.05));
 };
+typedef Finned_sphere_of_size<3> Finned_sphere; // 1280 facets
 
 #endif // FINNED_SPHERE_H
