@@ -49,8 +49,7 @@ const char* const usage =
   "  PREFIX_mesh.ply             the mesh of the shell: the repaired input without excised triangles, or a proxy\n"
   "  PREFIX_excised.ply          excised triangles, if any\n"
   "  PREFIX_simplified.ply       the simplified mesh\n"
-  "  PREFIX_whole.ply            if triangles are excised: the simplified mesh and these triangles, without "
-  "attributes\n"
+  "  PREFIX_whole.ply            if triangles are excised: the simplified mesh and these triangles\n"
   "  PREFIX_detail.ply           the same surface, subdivided to show the transferred color of every point\n"
   "  PREFIX_simplified.json      numbers of facets, and errors of points after the round trip between both meshes\n"
   "  PREFIX_{inner,outer}.ply    the bounding surfaces of the shell\n"
@@ -307,9 +306,9 @@ int main(int argc, char** argv)
                       .option("--threads", options.threads)
                       .read(argc, argv);
   if(code) return *code;
-  const Results results(options.output, { ".json", "_mesh.ply", "_inner.ply", "_outer.ply", "_places.ply",
-                                          "_simplified.ply", "_whole.ply", "_detail.ply", "_simplified.json",
-                                          "_excised.ply" });
+  const Results results(options.output,
+                        { ".json", "_mesh.ply", "_inner.ply", "_outer.ply", "_places.ply", "_simplified.ply",
+                          "_whole.ply", "_detail.ply", "_simplified.json", "_excised.ply" });
   if(const int refused = results.prepare(options.file)) return refused;
 #ifdef CGAL_LINKED_WITH_TBB
   std::optional<tbb::global_control> control;

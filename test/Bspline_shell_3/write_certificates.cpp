@@ -15,7 +15,7 @@
 //
 // The exit code is 1 if a file cannot be written, or if a verdict differs from the expected one.
 #include "coefficient_functions.h"
-#include "excised_soups.h"
+#include "finned_sphere.h"
 #include "shell_reports.h"
 #include "test_meshes.h"
 
