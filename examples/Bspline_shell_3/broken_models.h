@@ -99,6 +99,25 @@ inline Broken_model figure()
   return model;
 }
 
+// A ball with two stray triangles: one hangs at an edge of the ball, the other one at a vertex.
+inline Broken_model ball_with_stray_triangles()
+{
+  Broken_model model;
+  add_ball(model, 0, { 0, 0, 0 }, 1);
+  const auto add_triangle = [&](std::vector<std::size_t> points, const std::vector<Center>& others) {
+    for(const Center& p : others) {
+      points.push_back(model.soup.points.size());
+      model.soup.points.emplace_back(p[0], p[1], p[2]);
+    }
+    add_polygon(model, 1, points, { { 0, 0 }, { 1, 0 }, { 0, 1 } });
+  };
+  const std::size_t p = model.soup.polygons[240][0], q = model.soup.polygons[240][1], top = 0;
+  const auto middle = CGAL::midpoint(model.soup.points[p], model.soup.points[q]);
+  add_triangle({ p, q }, { { 1.3 * middle.x(), 1.3 * middle.y(), 1.3 * middle.z() } });
+  add_triangle({ top }, { { 0.2, 0, 1.3 }, { -0.2, 0, 1.4 } });
+  return model;
+}
+
 // A machine part as written by a file converter: with gaps, inconsistent orientations, and duplicate facets.
 inline Broken_model machine_part()
 {

@@ -12,6 +12,7 @@
 #include <CGAL/Bspline_shell_3/Surface/extract_shell_surface.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/IO/PLY.h>
 #include <CGAL/IO/io.h>
 #include <CGAL/IO/write_ply_points.h>
 #include <CGAL/Surface_mesh.h>
@@ -196,6 +197,19 @@ inline void print_reason(const BS::Shell_of_soup_3& found)
   std::cout << "proxy needed  " << found.mesh_message() << "\n";
   list_places(std::cout, "              facets", found.offending_simplices.facets);
   list_places(std::cout, "              vertices", found.offending_simplices.vertices);
+}
+
+// Prints what was excised, and writes the excised triangles.
+inline bool write_excised(const std::string& file, const BS::Excised_soup_3& soup)
+{
+  std::cout << "excised       " << message(soup.report()) << "\n";
+  BS::Polygon_soup::Polygons triangles;
+  for(std::size_t t : soup.excised_triangles())
+    triangles.emplace_back(soup.soup().triangles[t].begin(), soup.soup().triangles[t].end());
+  return write_result(file, [&](std::ostream& out) {
+    CGAL::IO::set_binary_mode(out);
+    return CGAL::IO::write_PLY(out, soup.soup().points, triangles);
+  });
 }
 
 // Writes one of the two bounding surfaces. Returns 0, or the exit code.

@@ -93,7 +93,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
 
-  // for comparison: the heat method on the mesh itself, and exact distances
+  // The heat method on the mesh itself and exact distances serve for comparison.
   CGAL::Heat_method_3::estimate_geodesic_distances(mesh, direct, source);
   Shortest_paths paths(mesh);
   paths.add_source_point(source);

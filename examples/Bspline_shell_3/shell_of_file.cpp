@@ -23,7 +23,9 @@ const char* const usage =
   "  --output PREFIX         prefix of the file names (default: shell)\n"
   "Writes\n"
   "  PREFIX.shell                the shell\n"
-  "  PREFIX_mesh.ply             the mesh of the shell: the repaired input, the union of its parts, or a proxy\n"
+  "  PREFIX_mesh.ply             the mesh of the shell: the repaired input, the union of its parts, the input without\n"
+  "                              triangles that are excised, or a proxy\n"
+  "  PREFIX_excised.ply          excised triangles, if any\n"
   "  PREFIX_{inner,outer}.ply    the bounding surfaces of the shell\n"
   "  PREFIX_soup.ply             if there is a proxy: the input polygons, green where they are carried along curves,\n"
   "                              yellow where they are continued to the nearest point, gray where they are hidden\n"
@@ -32,7 +34,7 @@ const char* const usage =
   "The files are replaced together at the end. If the run fails (exit codes 3, 5, 10 or more), the results of an\n"
   "earlier run are kept, and the names of the new files begin with PREFIX.failed.\n"
   "Exit codes\n"
-  "  0   the shell is certified\n"
+  "  0   the shell is certified, possibly except for excised triangles\n"
   "  2   wrong usage\n"
   "  3   a file cannot be written\n"
   "  4   a bounding surface cannot be extracted; the other files are written\n"
@@ -87,10 +89,11 @@ int run(const Options& options, const Results& results)
             << 100 * report.narrowed_area << " % of the mesh area\n"
             << found.message() << std::endl;
   if(!write_mesh(results.pending("_mesh.ply"), found.mesh())) return CANNOT_WRITE;
+  if(found.excised && !write_excised(results.pending("_excised.ply"), *found.excised)) return CANNOT_WRITE;
   if(found.proxy && !write_soup(results, *found.proxy, shares)) return CANNOT_WRITE;
   const bool has_shell = BS::write_shell(results.pending(".shell"), found.shell()) == BS::Shell_file_status::SUCCESS;
   if(!is_written(has_shell, results.pending(".shell"))) return CANNOT_WRITE;
-  if(!found.is_certified()) {
+  if(found.certification() == BS::Certification::NONE) {
     list_witnesses(report.certificate);
     return report_obstacles(report, results.pending("_places.ply")) ? NOT_CERTIFIED : CANNOT_WRITE;
   }
@@ -109,8 +112,8 @@ int main(int argc, char** argv)
                       .option("--time-limit", options.limit)
                       .read(argc, argv);
   if(code) return *code;
-  const Results results(options.output,
-                        { ".json", ".shell", "_mesh.ply", "_inner.ply", "_outer.ply", "_soup.ply", "_places.ply" });
+  const Results results(options.output, { ".json", ".shell", "_mesh.ply", "_inner.ply", "_outer.ply", "_soup.ply",
+                                          "_places.ply", "_excised.ply" });
   if(const int refused = results.prepare(options.file)) return refused;
   return results.finish(run(options, results));
 }

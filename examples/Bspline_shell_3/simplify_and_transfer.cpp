@@ -6,6 +6,8 @@
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
+#include <CGAL/Bspline_shell_3/Soup/Excision_filter.h>
+#include <CGAL/Bspline_shell_3/Soup/rejoin_excised.h>
 #include <CGAL/Bspline_shell_3/Soup/sample_soup_shares.h>
 #include <CGAL/Bspline_shell_3/Soup/write_report.h>
 #include <CGAL/certified_shell_of_soup_3.h>
@@ -44,8 +46,10 @@ const char* const usage =
   "  --threads N             number of threads (default: all processors)\n"
   "Writes\n"
   "  PREFIX.json                 report on the repairs, the proxy and the shell\n"
-  "  PREFIX_mesh.ply             the mesh of the shell: the repaired input, or a proxy\n"
+  "  PREFIX_mesh.ply             the mesh of the shell: the repaired input without excised triangles, or a proxy\n"
+  "  PREFIX_excised.ply          excised triangles, if any\n"
   "  PREFIX_simplified.ply       the simplified mesh\n"
+  "  PREFIX_whole.ply            if triangles are excised: the simplified mesh and these triangles\n"
   "  PREFIX_detail.ply           the same surface, subdivided to show the transferred color of every point\n"
   "  PREFIX_simplified.json      numbers of facets, and errors of points after the round trip between both meshes\n"
   "  PREFIX_{inner,outer}.ply    the bounding surfaces of the shell\n"
@@ -107,6 +111,20 @@ struct Flat_mask
     vertex_node(mesh->target(h), end);
   }
 };
+
+// Simplifies the mesh of a shell. Excised triangles keep their contact with the mesh, and get no further one.
+template <typename NamedParameters>
+BS::Simplification_result<Mesh> simplify(Mesh& mesh, const BS::Shell_of_soup_3& found, const NamedParameters& np)
+{
+  if(!found.excised) return BS::simplify_in_shell(mesh, found.shell(), np);
+  auto is_constrained = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_constrained", false).first;
+  BS::constrain_pins(*found.excised, is_constrained);
+  const BS::Excision_filter filter(*found.excised, BS::New_contacts::REJECTED);
+  const auto result = BS::simplify_in_shell(mesh, found.shell(),
+                                            np.edge_is_constrained_map(is_constrained).filter(filter));
+  mesh.remove_property_map(is_constrained);
+  return result;
+}
 
 // Returns the attribute with this name, which is added if missing.
 template <typename Value>
@@ -190,7 +208,7 @@ int run(const Options& options, const Results& results)
   const auto write_report = [&](std::ostream& out) { return BS::write_report(out, found, shares, options.file); };
   if(!write_result(results.pending(".json"), write_report)) return CANNOT_WRITE;
   if(!shell) return refuse(found.status(), found.message(), found.offending_simplices, options.file);
-  if(!shell.is_certified()) {
+  if(found.certification() == BS::Certification::NONE) {
     std::cerr << found.message() << std::endl;
     if(shell.report().obstacles.empty()) list_witnesses(shell.report().certificate);
     const bool has_places = report_obstacles(shell.report(), results.pending("_places.ply"));
@@ -208,7 +226,7 @@ int run(const Options& options, const Results& results)
   Mesh coarse = found.mesh();
   const double seconds_left = (std::max)(options.seconds - shell_seconds, least_seconds);
   const BS::Facet_count_stop_predicate stop(options.facets);
-  const auto simplified = BS::simplify_in_shell(coarse, shell, BS::parameters::stop(stop).time_limit(seconds_left));
+  const auto simplified = simplify(coarse, found, BS::parameters::stop(stop).time_limit(seconds_left));
   printer.clear();
   if(!simplified) {
     complain(simplified.message(), simplified.offending_simplices);
@@ -216,6 +234,19 @@ int run(const Options& options, const Results& results)
     return NOT_SIMPLIFIED;
   }
   coarse.collect_garbage();
+  BS::Rejoined_soup_3 whole;
+  if(found.excised) {
+    whole = BS::rejoin_excised(*found.excised, coarse);
+    if(!whole) {
+      std::cerr << message(whole.verdict.status) << std::endl;
+      return NOT_SIMPLIFIED;
+    }
+    const auto write_whole = [&](std::ostream& out) {
+      CGAL::IO::set_binary_mode(out);
+      return CGAL::IO::write_PLY(out, whole.soup.points, whole.soup.polygons);
+    };
+    if(!write_result(results.pending("_whole.ply"), write_whole)) return CANNOT_WRITE;
+  }
 
   // Transfer attributes to the vertices of the coarse mesh, and to many points on its facets.
   timer.reset();
@@ -246,7 +277,9 @@ int run(const Options& options, const Results& results)
   std::cout << std::setprecision(3);
   print_repairs(found.repairs);
   if(found.proxy) print_reason(found);
+  if(found.excised && !write_excised(results.pending("_excised.ply"), *found.excised)) return CANNOT_WRITE;
   row("mesh") << mesh.number_of_faces() << " facets, " << name(found.kind()) << "\n";
+  if(found.excised) row("excised") << found.excision_message() << "\n";
   row("shell") << "certified; thickness " << 100 * shell.relative_thickness() << " % of the bounding box; "
                << shell.report().cells << " cells; " << shell_seconds << " s\n";
   row("simplified") << simplified.facets << " facets ("
@@ -273,8 +306,9 @@ int main(int argc, char** argv)
                       .option("--threads", options.threads)
                       .read(argc, argv);
   if(code) return *code;
-  const Results results(options.output, { ".json", "_mesh.ply", "_inner.ply", "_outer.ply", "_places.ply",
-                                          "_simplified.ply", "_detail.ply", "_simplified.json" });
+  const Results results(options.output,
+                        { ".json", "_mesh.ply", "_inner.ply", "_outer.ply", "_places.ply", "_simplified.ply",
+                          "_whole.ply", "_detail.ply", "_simplified.json", "_excised.ply" });
   if(const int refused = results.prepare(options.file)) return refused;
 #ifdef CGAL_LINKED_WITH_TBB
   std::optional<tbb::global_control> control;

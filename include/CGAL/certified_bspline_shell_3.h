@@ -15,6 +15,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -99,6 +100,12 @@ namespace CGAL {
  *       \cgalParamDescription{whether open meshes are closed; otherwise, they are rejected}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`true`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{hole_requires_cap}
+ *       \cgalParamDescription{a function that returns, for a point on the border of the mesh as a
+ *         `std::array<double, 3>`, whether its hole has to be closed by a cap. If this is impossible, the mesh is
+ *         rejected; other holes may get a sheet behind the mesh instead. The points of a hole must have equal values.}
+ *       \cgalParamDefault{`false` at all points}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{closing}
  *       \cgalParamDescription{triangles that close the mesh, used instead of a virtual closing; their border must equal
@@ -189,6 +196,9 @@ Certified_bspline_shell_3 certified_bspline_shell_3(const PolygonMesh& mesh,
     parameters.sizing = [&sizing](const Certified_bspline_shell_3::Point_3& p) { return double(sizing(p)); };
   if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::closing_t>::value)
     parameters.closing = std::make_shared<const BS::Shell_closing_3>(get_parameter_reference(np, tags::closing));
+  [[maybe_unused]] auto&& requires_cap = get_parameter_reference(np, tags::hole_requires_cap);
+  if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::hole_requires_cap_t>::value)
+    parameters.hole_requires_cap = [&requires_cap](const std::array<double, 3>& p) { return bool(requires_cap(p)); };
   parameters.closes_virtually = choose_parameter(get_parameter(np, tags::virtual_closing), parameters.closes_virtually);
   parameters.truncates = choose_parameter(get_parameter(np, tags::truncate), parameters.truncates);
   parameters.least_cone_margin = choose_parameter(get_parameter(np, tags::least_cone_margin),

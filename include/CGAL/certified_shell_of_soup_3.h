@@ -10,6 +10,7 @@
 #include <CGAL/Bspline_shell_3/Soup/near_duplicates.h>
 #include <CGAL/Bspline_shell_3/Soup/repair_and_weld.h>
 #include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
+#include <CGAL/Bspline_shell_3/Soup/try_excision.h>
 #include <CGAL/Bspline_shell_3/Soup/unite_parts.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
@@ -25,6 +26,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -39,7 +41,9 @@ namespace CGAL {
  * differ in the last digits are closed, too (`Bspline_shells::weld_soup()`). If the polygons then form a mesh, a shell
  * of this mesh is built, with a virtual closing if the mesh is open. If the mesh intersects itself because closed parts
  * are pushed into each other, the parts are united first (`Bspline_shells::unite_parts()`). If the polygons do not form
- * a mesh, or if this shell is not certified, a proxy is built with its shell (`certified_soup_proxy_3()`).
+ * a mesh, or if this shell is not certified, triangles with defects are excised (`Bspline_shells::choose_excision()`),
+ * and a shell of the others is built. If too many would be excised, or if this shell is not certified, either, a proxy
+ * is built with its shell (`certified_soup_proxy_3()`).
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam NamedParameters a sequence of \ref BsplineShell3NamedParameters "named parameters"
@@ -52,10 +56,17 @@ namespace CGAL {
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{four units in the last digit of the coordinates, or less if edges or the shell are small}
  *     \cgalParamNEnd
+ *     \cgalParamNBegin{largest_excised_share}
+ *       \cgalParamDescription{the largest fraction of the area of the polygons that may be excised; at least 0 and at
+ *         most 1. If it is 0, nothing is excised.}
+ *       \cgalParamType{`double`}
+ *       \cgalParamDefault{0.1}
+ *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
  *   Others are those of `certified_soup_proxy_3()` and, for the shell of the mesh, those of
- *   `certified_bspline_shell_3()`. With `closing()`, nothing is welded, as the border of the mesh must not change. The
- *   `time_limit()` applies to the mesh and the proxy together; once it is reached, no further attempt begins. Limits of
+ *   `certified_bspline_shell_3()`. With `closing()`, nothing is welded or excised, as the border of the mesh must not
+ *   change; without `virtual_closing()`, nothing is excised. The `time_limit()` applies to the mesh and the proxy
+ * together; once it is reached, no further attempt begins. Limits of
  *   effort and memory apply to each attempt.
  * \return the shell and its kind. If neither shell is certified, the shell of the mesh is returned if it was built.
  */
@@ -86,14 +97,22 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
     welding.tolerance = get_parameter(np, tags::weld_tolerance);
     result.invalid_parameter.check("weld_tolerance", *welding.tolerance, BS::Parameter_bounds::not_negative());
   }
+  BS::Excision_limits excision;
+  excision.share = choose_parameter(get_parameter(np, tags::largest_excised_share), excision.share);
+  result.invalid_parameter.check("largest_excised_share", excision.share, { 0, 1, true, true });
+  if(!is_default_parameter<CGAL_NP_CLASS, tags::closing_t>::value
+     || !choose_parameter(get_parameter(np, tags::virtual_closing), true))
+    excision.share = 0;
+  result.largest_excised_share = excision.share;
   if(result.invalid_parameter) {
     result.mesh_status = BS::Shell_status::INVALID_PARAMETER;
     return result;
   }
-  BS::Shell_status* status = &result.mesh_status; // or that of the proxy, once it is tried
+  BS::Shell_status* status = &result.mesh_status; // or that of the excision or the proxy, once it is tried
   const auto attempt_all = [&] {
+    std::optional<BS::Welded_soup> welded;
     if constexpr(is_default_parameter<CGAL_NP_CLASS, tags::closing_t>::value)
-      BS::internal::repair_and_weld(soup, welding, result);
+      welded = BS::internal::repair_and_weld(soup, welding, result);
     else result.mesh_status = BS::repair_soup(soup, result.repaired_mesh, result.repairs, result.offending_simplices);
     if(result.mesh_status == BS::Shell_status::INVALID_PARAMETER)
       result.invalid_parameter = BS::internal::invalid_position(soup, result.offending_simplices);
@@ -120,6 +139,13 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
       }
     }
     if(result.shell_of_mesh.is_certified() || BS::internal::ends_all_attempts(result.mesh_status)) return;
+    status = &result.excision_status;
+    const auto build_capped = [&](const BS::Excised_soup_3::Mesh& mesh, const auto& requires_cap) {
+      typedef BS::Named_parameters<std::decay_t<decltype(requires_cap)>, tags::hole_requires_cap_t, CGAL_NP_CLASS> Pack;
+      return certified_bspline_shell_3<ConcurrencyTag>(mesh, Pack(requires_cap, np));
+    };
+    BS::internal::try_excision(soup, welded, excision, build_capped, result);
+    if(result.excised || BS::internal::ends_all_attempts(result.excision_status)) return;
     switch(result.mesh_status) {
       case BS::Shell_status::NON_MANIFOLD:
       case BS::Shell_status::NOT_ORIENTABLE:

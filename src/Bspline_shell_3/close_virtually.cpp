@@ -11,10 +11,10 @@ namespace CGAL {
 namespace Bspline_shells {
 
 template Virtual_closing close_virtually<Sequential_tag>(const Mesh_with_origins::Triangle_mesh&, double,
-                                                         Closing_report&);
+                                                         Closing_report&, const Hole_predicate&);
 #ifdef CGAL_LINKED_WITH_TBB
-template Virtual_closing close_virtually<Parallel_tag>(const Mesh_with_origins::Triangle_mesh&, double,
-                                                       Closing_report&);
+template Virtual_closing close_virtually<Parallel_tag>(const Mesh_with_origins::Triangle_mesh&, double, Closing_report&,
+                                                       const Hole_predicate&);
 #endif
 
 } // namespace Bspline_shells

@@ -6,8 +6,8 @@
 
 PREFIX.shell.txt, PREFIX.mesh.off and PREFIX.certificate.txt belong to a small mesh of one or several components. Some
 changes apply only to some kinds of shells and meshes. Claims that are not proved must not be accepted, whatever the
-witnesses are changed to. If there is PREFIX.user.off, it is the mesh that the shell truncates, and is passed to the
-checker. Without PREFIX, generated shells are tested. The exit code is 0 if all tests pass. With --apply, it is 0 if
+witnesses are changed to. If there is PREFIX.user.off, it is the mesh that is truncated or closed, and is passed to the
+checker. So are PREFIX.kept.off, PREFIX.soup.off and PREFIX.joined.off, the meshes with excised triangles. Without PREFIX, generated shells are tested. The exit code is 0 if all tests pass. With --apply, it is 0 if
 each change applies to some of the files.
 """
 import itertools
@@ -39,20 +39,32 @@ def text(lines):
     return "".join(line + "\n" for line in lines)
 
 
+EXCISION = ["kept", "soup", "joined"]
+
+
+def triangles_of(points, facets):
+    return [[tuple(points[v]) for v in t] for t in facets]
+
+
 class Files:
-    """The files as parts that a test can change; `update_...()` recomputes checksums. The user's mesh is optional."""
+    """The files as parts that a test can change; `update_...()` recomputes checksums. The user's mesh and those of an
+    excision are optional."""
 
     def __init__(self, prefix):
         self.shell, self.shell_sum = self.read(prefix + ".shell.txt")
         self.certificate, self.certificate_sum = self.read(prefix + ".certificate.txt")
         self.points, self.facets = self.read_mesh(prefix + ".mesh.off")
         self.user = self.read_mesh(prefix + ".user.off") if os.path.exists(prefix + ".user.off") else None
+        # for each of these soups, its triangles as coordinates of the corners
+        self.excision = os.path.exists(prefix + ".soup.off") and {
+            name: triangles_of(*self.read_mesh("%s.%s.off" % (prefix, name))) for name in EXCISION}
 
     @classmethod
     def of(cls, shell, certificate, points, facets):
         """Creates files from lines without checksums, and lists."""
         files = cls.__new__(cls)
-        files.shell, files.certificate, files.points, files.facets, files.user = shell, certificate, points, facets, None
+        files.shell, files.certificate, files.points, files.facets = shell, certificate, points, facets
+        files.user = files.excision = None
         files.update_shell()
         files.update_mesh()
         files.update_certificate()
@@ -84,6 +96,7 @@ class Files:
         other.shell_sum, other.certificate_sum = self.shell_sum, self.certificate_sum
         other.points, other.facets = [list(p) for p in self.points], [list(f) for f in self.facets]
         other.user = self.user and ([list(p) for p in self.user[0]], [list(f) for f in self.user[1]])
+        other.excision = self.excision and {name: [list(t) for t in triangles] for name, triangles in self.excision.items()}
         return other
 
     def update_shell(self):
@@ -139,7 +152,7 @@ class Files:
         """Returns the checker's output if it accepts the certificate."""
         verdicts = self.certificate[3].split()[1:]
         claims = ["P%d" % (i + 1) for i in range(5) if verdicts[i] == "proved"]
-        return " ".join(["certified:"] + claims + ["T"] * self.is_truncated() + ["A"] * bool(self.user)) + "\n"
+        return " ".join(["certified:"] + claims + ["T"] * self.is_truncated() + ["A"] * bool(self.user) + ["E"] * bool(self.excision)) + "\n"
 
     def is_truncated(self):
         return self.shell[self.shell.index("truncation") + 1] != "0 0 0 0 0 0"
@@ -224,6 +237,9 @@ class Files:
         self.write_mesh(prefix + ".mesh.off", self.points, self.facets)
         if self.user:
             self.write_mesh(prefix + ".user.off", *self.user)
+        for name, triangles in (self.excision or {}).items():
+            # each triangle has its own points
+            self.write_mesh("%s.%s.off" % (prefix, name), [p for t in triangles for p in t], [[3 * n, 3 * n + 1, 3 * n + 2] for n in range(len(triangles))])
 
 
 class Truncation:
@@ -1111,7 +1127,7 @@ def user(name, change, code, sentence, update=""):
     def change_files(f):
         f.user = f.user or ([list(p) for p in f.points], [list(t) for t in f.facets])
         change(f)
-    any_test(code, sentence, update, lambda f: True)(named(name, change_files))
+    any_test(code, sentence, update, lambda f: not f.excision)(named(name, change_files))
 
 
 def reorder_user(f):
@@ -1152,7 +1168,7 @@ def opened(name, change, code, sentence, facet=-1):
         change(f, closing)
         line = f.section(f.shell, "closing")[0]
         f.shell[line:line + 1] = closing
-    any_test(code, sentence, "sc", lambda f: f.is_truncated() or not callable(facet))(named(name, change_files))
+    any_test(code, sentence, "sc", lambda f: (f.is_truncated() or not callable(facet)) and not f.excision)(named(name, change_files))
 
 
 def first_cut(f):
@@ -1169,6 +1185,231 @@ opened("open mesh, closed elsewhere", lambda f, closing: closing.__setitem__(1, 
 opened("open mesh, not closed", lambda f, closing: closing.__setitem__(slice(0, None), ["closing 0 0 0"]), 1, "A: ")
 opened("open mesh, another facet missing", lambda f, closing: f.user[1].pop(0), 1, "A: ")
 opened("open mesh, closed by a point that does not exist", lambda f, closing: closing.__setitem__(-1, "0 1 3 0"), 2, "out of range")
+
+# excised triangles
+FAR = (7., 8., 9.)
+
+
+def excision(name, change, code, sentence, update=""):
+    """Registers a change of the soups; `sentence` is without "E, ". Claims are only made if it is to be accepted."""
+    def change_files(f):
+        if code == 1:
+            no_claims(f)
+        change(f)
+    any_test(code, sentence, update or "c", lambda f: bool(f.excision))(named(name, change_files))
+
+
+def same(t):
+    return sorted(t)
+
+
+def is_in(triangle, triangles):
+    return any(same(triangle) == same(t) for t in triangles)
+
+
+def excised(f):
+    return [t for t in f.excision["soup"] if not is_in(t, f.excision["kept"])]
+
+
+def user_triangles(f):
+    return triangles_of(*f.user)
+
+
+def corners_of(triangles):
+    return set(p for t in triangles for p in t)
+
+
+def edges_of(triangles):
+    return set((t[i], t[(i + 1) % 3]) for t in triangles for i in range(3))
+
+
+def border_of(triangles):
+    edges = edges_of(triangles)
+    return set(e for e in edges if e[::-1] not in edges)
+
+
+def excise(f, triangle):
+    """Adds an excised triangle."""
+    f.excision["soup"].append(list(triangle))
+    f.excision["joined"].append(list(triangle))
+
+
+def remove(triangle, triangles):
+    triangles[:] = [t for t in triangles if same(t) != same(triangle)]
+
+
+def in_edit(f, removed, added):
+    """Replaces facets of the simplified mesh, everywhere. The triangles that close it remain."""
+    removed, added = [[list(p) for p in t] for t in removed], [[list(p) for p in t] for t in added]
+    replace_facets(f, removed, added)
+    user = f.copy()
+    user.points, user.facets = f.user
+    replace_facets(user, removed, added)
+    f.user = user.points, user.facets
+    for t in removed:
+        remove([tuple(p) for p in t], f.excision["joined"])
+    f.excision["joined"] += [[tuple(p) for p in t] for t in added]
+
+
+def flip_user_edge(f, edge):
+    """Flips an edge of the simplified mesh, and returns the new edge."""
+    a, b = edge
+    c, d = (next(p for p in t if p not in edge) for e in (edge, edge[::-1]) for t in user_triangles(f) if e in edges_of([t]))
+    in_edit(f, [[a, b, c], [b, a, d]], [[c, a, d], [d, b, c]])
+    return c, d
+
+
+def fin_edge(f):
+    """Returns the edge of an excised triangle that is within the mesh."""
+    edges = edges_of(excised(f))
+    border = border_of(f.excision["kept"])
+    return next(e for e in sorted(edges_of(f.excision["kept"])) if (e in edges or e[::-1] in edges) and e not in border)
+
+
+def flip_to_chord(f):
+    """Flips an edge of the simplified mesh so that the mesh before has the new edge's ends, but not the edge."""
+    kept, edges = corners_of(f.excision["kept"]), edges_of(excised(f))
+    for a, b in sorted(edges_of(user_triangles(f))):
+        apexes = [next(p for p in t if p not in (a, b)) for e in ((a, b), (b, a)) for t in user_triangles(f) if e in edges_of([t])]
+        if len(apexes) == 2 and all(p in kept for p in apexes) and not any(
+                tuple(apexes[::k]) in edges_of(f.excision["kept"] + user_triangles(f)) or (a, b)[::k] in edges for k in (1, -1)):
+            return flip_user_edge(f, (a, b))
+    raise AssertionError("no edge to flip")
+
+
+def new_user_facet(f):
+    return next(t for t in user_triangles(f) if not is_in(t, f.excision["kept"]))
+
+
+def vertex_of_one(f, one, other):
+    return sorted(corners_of(one) - corners_of(other))[0]
+
+
+def removed_vertex(f):
+    return vertex_of_one(f, f.excision["kept"], user_triangles(f))
+
+
+def new_vertex(f):
+    return vertex_of_one(f, user_triangles(f), f.excision["soup"])
+
+
+def move_joined(name, triangle):
+    """Moves the last corner of an excised triangle by one bit in the soup after the edit."""
+    def change(f):
+        t = next(t for t in f.excision["joined"] if same(t) == same(triangle(f)))
+        p = next(p for p in t if p not in corners_of(user_triangles(f)))
+        bits = struct.unpack("<q", struct.pack("<d", p[0]))[0] + 1
+        t[t.index(p)] = (struct.unpack("<d", struct.pack("<q", bits))[0],) + p[1:]
+    excision(name, change, 1, "the triangle is excised, but JOINED lacks it")
+
+
+def with_corner(f, n):
+    """Returns an excised triangle that has n vertices of the mesh that is kept."""
+    return next(t for t in excised(f) if sum(p in corners_of(f.excision["kept"]) for p in t) == n)
+
+
+def reorder_excision(f):
+    for name in EXCISION:
+        f.excision[name] = [t[1:] + t[:1] for t in f.excision[name][::-1]]
+    for t in f.excision["soup"][::3]:
+        if is_in(t, f.excision["kept"]):
+            t.reverse()
+
+
+def take_from_border(f):
+    """Excises a facet at the border that was not there after the edit."""
+    border = border_of(f.excision["kept"])
+    facet = next(t for t in f.excision["kept"] if edges_of([t]) & border and not is_in(t, user_triangles(f)))
+    remove(facet, f.excision["kept"])
+    f.excision["joined"].append(next(list(t) for t in f.excision["soup"] if same(t) == same(facet)))
+
+
+def fill_hole(f):
+    """Keeps the excised triangle that fills the hole."""
+    facet = with_corner(f, 3)
+    remove(facet, f.excision["soup"])
+    remove(facet, f.excision["joined"])
+    border = border_of(f.excision["kept"])
+    facet = facet if (facet[1], facet[0]) in border else facet[::-1]
+    f.excision["kept"].append(facet)
+    f.excision["soup"].append(facet)
+
+
+def as_before(f):
+    """Edits nothing: the mesh before the edit is the simplified one."""
+    e = excised(f)
+    f.excision = {"kept": user_triangles(f), "soup": user_triangles(f) + e, "joined": user_triangles(f) + e}
+
+
+excision("excised triangles", lambda f: None, 0, Files.claims)
+excision("excised triangles in another order", reorder_excision, 0, Files.claims)
+excision("excised triangles of a mesh that was not edited", as_before, 0, Files.claims)
+excision("excised triangles not at all", lambda f: (as_before(f), [f.excision.__setitem__(n, user_triangles(f)) for n in EXCISION]), 0, Files.claims)
+excision("an excised triangle turned in both", lambda f: [with_corner(f, 2).reverse(), next(
+    t for t in f.excision["joined"] if same(t) == same(with_corner(f, 2))).reverse()], 0, Files.claims)
+excision("an excised triangle more", lambda f: excise(f, [FAR, removed_vertex(f)[::-1], (0., 0., 0.)]), 0, Files.claims)
+excision("an excised triangle turned after the edit", lambda f: next(
+    t for t in f.excision["joined"] if same(t) == same(with_corner(f, 2))).reverse(), 1, "the triangle is excised, but JOINED lacks it")
+for n in (1, 2):
+    move_joined("an excised triangle with %d common vertices moved by a bit" % n, lambda f, n=n: with_corner(f, n))
+excision("an excised triangle missing", lambda f: remove(with_corner(f, 1), f.excision["joined"]), 1, "the triangle is excised, but JOINED lacks it")
+excision("an excised triangle twice", lambda f: f.excision["joined"].append(with_corner(f, 1)), 1, "the triangle is neither a facet of USER_MESH nor excised, or JOINED has it twice")
+excision("another triangle after the edit", lambda f: f.excision["joined"].append([FAR, (0., 0., 0.), (1., 0., 0.)]), 1, "the triangle is neither a facet of USER_MESH nor excised, or JOINED has it twice")
+excision("a facet missing after the edit", lambda f: remove(user_triangles(f)[3], f.excision["joined"]), 1, "triangle 3 of USER_MESH: JOINED lacks this facet")
+excision("a facet turned after the edit", lambda f: next(t for t in f.excision["joined"] if same(t) == same(user_triangles(f)[3])).reverse(), 1, "triangle 3 of USER_MESH: JOINED lacks this facet")
+excision("a facet twice after the edit", lambda f: f.excision["joined"].append(user_triangles(f)[3]), 1, "or JOINED has it twice")
+excision("a facet that is not in the soup", lambda f: remove(f.excision["kept"][5], f.excision["soup"]), 1, "triangle 5 of KEPT: SOUP has no triangle with these corners")
+excision("a facet twice before the edit", lambda f: f.excision["kept"].append(f.excision["kept"][5][::-1]), 1, "of KEPT: triangle 5 has the same corners")
+excision("a triangle twice in the soup", lambda f: f.excision["soup"].append(f.excision["soup"][5][::-1]), 1, "of SOUP: triangle 5 has the same corners")
+excision("an excised triangle twice in both", lambda f: excise(f, with_corner(f, 1)), 1, "has the same corners")
+excision("a triangle with a repeated corner", lambda f: excise(f, [FAR, FAR, (0., 0., 0.)]), 1, "of SOUP: two corners have the same coordinates")
+excision("a triangle whose last corner is its first", lambda f: excise(f, [FAR, (0., 0., 0.), FAR]), 1, "of SOUP: two corners have the same coordinates")
+excision("a facet of the border excised", take_from_border, 1, ": the edge is on the border of KEPT, but not of USER_MESH")
+excision("a facet that fills the hole", fill_hole, 1, ": the edge is on the border of USER_MESH, but not of KEPT")
+excision("an excised triangle at a vertex that the edit removed", lambda f: excise(f, [removed_vertex(f), FAR, (0., 0., 0.)]), 1, "E, vertex (")
+excision("an excised triangle at a vertex that the edit removed, in words", lambda f: excise(f, [removed_vertex(f), FAR, (0., 0., 0.)]), 1,
+         "): KEPT and an excised triangle have it in common, but USER_MESH lacks it")
+excision("an excised triangle at a vertex that the edit made", lambda f: excise(f, [new_vertex(f), FAR, (0., 0., 0.)]), 1,
+         "): USER_MESH and an excised triangle have it in common, but KEPT lacks it")
+excision("the edge of a fin flipped", lambda f: flip_user_edge(f, fin_edge(f)), 1, "): KEPT and an excised triangle have it in common, but USER_MESH lacks it", "mc")
+excision("the edge of a fin flipped, in words", lambda f: flip_user_edge(f, fin_edge(f)), 1, "E, edge from vertex (", "mc")
+excision("an edge flipped elsewhere", lambda f: (flip_to_chord(f), no_claims(f)), 0, "certified: A E\n", "mc")
+excision("a chord", lambda f: excise(f, flip_to_chord(f) + (FAR,)), 1, "): USER_MESH and an excised triangle have it in common, but KEPT lacks it", "mc")
+excision("a pillow", lambda f: excise(f, new_user_facet(f)[::-1]), 1, "the triangle is excised, but a facet of USER_MESH has the same corners")
+excision("a pillow between vertices that are kept", lambda f: pillow(f), 1, "the triangle is excised, but a facet of USER_MESH has the same corners", "mc")
+excision("the soup after the edit as that before it", lambda f: f.excision.__setitem__("soup", f.excision["joined"]), 1, "SOUP has no triangle with these corners")
+excision("the soup before the edit as that after it", lambda f: f.excision.__setitem__("joined", f.excision["soup"]), 1, "JOINED lacks this facet")
+excision("a component that has each facet twice", lambda f: add_flat_component(f), 1, "of USER_MESH: triangle 199 has the same corners", "mc")
+
+
+def add_flat_component(f):
+    """Adds two facets with the same corners to the simplified mesh."""
+    in_edit(f, [], [[FAR, (9., 9., 9.), (9., 8., 8.)], [(9., 9., 9.), FAR, (9., 8., 8.)]])
+    line, count = f.section(f.certificate, "seeds")
+    f.certificate[line] = "seeds %d" % (count + 1)
+    f.certificate.insert(line + 1 + count, "%d %d" % (count, f.facets[-1][0]))
+
+
+def pillow(f):
+    """All three edges of the excised triangle are edges of the mesh before and after the edit."""
+    c, d = flip_to_chord(f)
+    facet = next(t for t in user_triangles(f) if c in t and d in t)
+    fourth = next(p for p in facet if p not in (c, d))
+    excise(f, [c, d, fourth])
+
+
+def thorn(name, place, code, sentence):
+    """Registers an excised triangle at a vertex of a mesh with truncated tips."""
+    def change(f, t):
+        f.excision = {n: user_triangles(f) for n in EXCISION}
+        excise(f, [tuple(place(f, t)), FAR, (9., 9., 9.)])
+    any_test(code, sentence, "", Files.is_truncated)(named(name, lambda f: change(f, Truncation(f.shell))))
+
+
+thorn("thorn at a truncated tip", lambda f, t: t.points[t.discs[0].center], 1, "): an excised triangle has this vertex, whose tip is truncated")
+thorn("thorn at another truncated tip", lambda f, t: t.points[t.discs[-1].center], 1, "): an excised triangle has this vertex, whose tip is truncated")
+thorn("thorn beside a truncated tip", lambda f, t: next(p for n, p in enumerate(t.points) if n not in [d.center for d in t.discs]), 0,
+      lambda f: f.claims().replace("\n", " E\n"))
 
 # file format
 add("blank at the end of a line", lambda f: f.certificate.__setitem__(3, f.certificate[3] + " "), 2, "line 4")
@@ -1281,7 +1522,10 @@ def main():
         for name, changed, code, sentence in cases:
             changed.write(changed_prefix)
             ends = (".shell.txt", ".mesh.off", ".certificate.txt") + ((".user.off",) if changed.user else ())
-            run = subprocess.run([checker] + [changed_prefix + end for end in ends],
+            arguments = [changed_prefix + end for end in ends]
+            if changed.excision:
+                arguments += ["--excised"] + ["%s.%s.off" % (changed_prefix, name) for name in EXCISION]
+            run = subprocess.run([checker] + arguments,
                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
             said = run.stdout + run.stderr
             right = run.returncode == code and sentence in said and (code == 0) == bool(run.stdout)

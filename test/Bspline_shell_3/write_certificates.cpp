@@ -8,9 +8,14 @@
 //   steep_inner, steep_outer        a threshold with an overhang: P3 is not proved
 //   truncated                       a mesh with two neighboring vertices whose facets face no common direction; also
 //                                   the mesh before the truncation: truncated.user.off
+//   excised                         a mesh simplified in its shell, in contact with excised triangles. Also the mesh
+//                                   without the triangles that close it: excised.user.off; the mesh before the
+//                                   simplification: excised.kept.off; it and the simplified mesh with the excised
+//                                   triangles: excised.soup.off, excised.joined.off
 //
 // The exit code is 1 if a file cannot be written, or if a verdict differs from the expected one.
 #include "coefficient_functions.h"
+#include "finned_sphere.h"
 #include "shell_reports.h"
 #include "test_meshes.h"
 
@@ -20,6 +25,8 @@
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
+#include <CGAL/Bspline_shell_3/Soup/Excision_filter.h>
+#include <CGAL/Bspline_shell_3/Soup/rejoin_excised.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <algorithm>
@@ -118,6 +125,38 @@ bool write_truncated(const std::string& prefix, const Mesh& mesh, std::size_t si
          && write(prefix, shell, certificate) && write(prefix + ".user.off", mesh);
 }
 
+bool write(const std::string& file, const std::vector<Point_3>& points,
+           const std::vector<std::vector<std::size_t> >& triangles)
+{
+  return BS::write_file(file, [&](std::ostream& out) {
+    return CGAL::IO::write_OFF(out, points, triangles, CGAL::parameters::stream_precision(17));
+  });
+}
+
+// Simplifies the mesh of a soup in its shell, and writes its certificate, and the meshes and soups before and after.
+template <typename Excised>
+bool write_excised(const std::string& prefix, const Excised& ball, std::size_t facets)
+{
+  const BS::Excised_soup_3& soup = ball.soup;
+  Mesh coarse = soup.mesh();
+  auto is_constrained = coarse.add_property_map<CGAL::SM_Edge_index, bool>("e:is_constrained", false).first;
+  BS::constrain_pins(soup, is_constrained);
+  const auto result = BS::simplify_in_shell<CGAL::Sequential_tag>(
+    coarse, ball.shell,
+    BS::parameters::stop(BS::Facet_count_stop_predicate(facets))
+      .edge_is_constrained_map(is_constrained)
+      .filter(BS::Excision_filter(soup)));
+  coarse.collect_garbage();
+  const BS::Rejoined_soup_3 joined = BS::rejoin_excised(soup, coarse);
+  BS::Shell_certificate_3 certificate(ball.shell);
+  certificate.template verify<CGAL::Sequential_tag>(coarse);
+  std::vector<std::vector<std::size_t> > triangles;
+  for(const auto& t : soup.soup().triangles) triangles.emplace_back(t.begin(), t.end());
+  return result && joined && write(prefix, ball.shell, certificate) && write(prefix + ".user.off", coarse)
+         && write(prefix + ".kept.off", soup.mesh()) && write(prefix + ".soup.off", soup.soup().points, triangles)
+         && write(prefix + ".joined.off", joined.soup.points, joined.soup.polygons);
+}
+
 int main(int argc, char** argv)
 {
   if(argc != 2) {
@@ -203,5 +242,6 @@ int main(int argc, char** argv)
   good = result && shell.proved_cover() && write(directory + "simplified", shell, certificate) && good;
 
   good = write_truncated(directory + "truncated", screw(5), 2) && good;
+  good = write_excised(directory + "excised", Finned_sphere_of_size<2>(), 200) && good;
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

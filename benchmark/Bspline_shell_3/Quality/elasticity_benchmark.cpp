@@ -184,7 +184,7 @@ void measure(const std::string& file, const Options& options)
   for(double edges : options.edges) {
     Domain& domain = domains.emplace_back(Domain{ "proxy", edges, mesh, Ends(), std::nullopt, Tetrahedra() });
     Mesh& proxy = domain.surface;
-    domain.ends = proxy.property_map<Mesh::Face_index, End>("f:end").first;
+    domain.ends = proxy.add_property_map<Mesh::Face_index, End>("f:end").first; // exists
     auto sharp = proxy.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
     PMP::detect_sharp_edges(proxy, 60, sharp);
     const auto report = BS::remesh_in_shell(proxy, shell->report().unit / edges, *shell,
@@ -197,7 +197,7 @@ void measure(const std::string& file, const Options& options)
     domains.pop_back();
   }
   domains.push_back({ "input", 0, mesh, Ends(), std::nullopt, Tetrahedra() });
-  domains.back().ends = domains.back().surface.property_map<Mesh::Face_index, End>("f:end").first;
+  domains.back().ends = domains.back().surface.add_property_map<Mesh::Face_index, End>("f:end").first;
 
   Solid::Vectors reference;
   for(int order : { 2, 1 })

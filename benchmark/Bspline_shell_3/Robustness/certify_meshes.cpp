@@ -17,10 +17,10 @@
 // Thicknesses, eps1 and eps2 are in units of the longest box side; numbers that are not finite are null.
 //
 // The kind is "closed"; "truncated" if tips of the mesh are replaced; "virtually closed" for an open mesh, whose facets
-// include those that close it; or "proxy", with sampled shares of the area, and the reason why the mesh itself has no
-// shell. --no-proxy and --gamma accept meshes only, also with singular vertices. The status is "certified",
-// "not_certified" (the mesh lies in the shell, but another claim is not proved), "no_shell" (not even containment is
-// proved), or "refused".
+// include those that close it; "excised" if triangles with defects were taken out; or "proxy", with sampled shares of
+// the area, and the reason why the mesh itself has no shell. --no-proxy and --gamma accept meshes only, also with
+// singular vertices. The status is "certified", "certified_except_excised", "not_certified" (the mesh lies in the
+// shell, but another claim is not proved), "no_shell" (not even containment is proved), or "refused".
 #include "../json.h"
 
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
@@ -237,9 +237,21 @@ std::string proxy_properties(const BS::Shell_of_soup_3& result)
   return out.str();
 }
 
+// Returns the properties of an excision, also if it did not help.
+std::string excision_properties(const BS::Shell_of_soup_3& result)
+{
+  const BS::Excision_report& r = result.excision_report;
+  if(r.excised == 0) return "";
+  std::ostringstream out;
+  out << ",\"excision\":{\"excised\":" << r.excised << ",\"area\":" << r.excised_area
+      << ",\"pinned_vertices\":" << r.pinned_vertices << ",\"pinned_edges\":" << r.pinned_edges
+      << ",\"message\":" << quoted(result.excision_message()) << "}";
+  return out.str();
+}
+
 template <typename Shell>
 void print(const std::string& file, const char* kind, const Shell& shell, const BS::Certificate_report& certificate,
-           bool certified, std::string reason, double seconds, bool written, const std::string& more = "")
+           const char* status, std::string reason, double seconds, bool written, const std::string& more = "")
 {
   const BS::Shell_report& r = shell.report();
   const BS::Certificate_statistics& s = certificate.statistics;
@@ -262,9 +274,9 @@ void print(const std::string& file, const char* kind, const Shell& shell, const 
             << ",\"closing\":{\"caps\":" << r.closing.caps() << ",\"sheets\":" << r.closing.sheets
             << ",\"triangles\":" << r.closing.triangles << ",\"least_offset\":" << r.closing.least_offset / r.unit
             << "}" << truncation(r) << ",\"facets\":" << r.triangles << ",\"components\":" << r.components
-            << ",\"status\":\"" << (certified ? "certified" : "not_certified") << "\",\"reason\":" << quoted(reason)
-            << ",\"gamma\":" << r.gamma << ",\"levels\":" << (r.rounds.empty() ? 1 : r.rounds.back().levels)
-            << ",\"rounds\":" << r.rounds.size() << ",\"partial_rounds\":"
+            << ",\"status\":\"" << status << "\",\"reason\":" << quoted(reason) << ",\"gamma\":" << r.gamma
+            << ",\"levels\":" << (r.rounds.empty() ? 1 : r.rounds.back().levels) << ",\"rounds\":" << r.rounds.size()
+            << ",\"partial_rounds\":"
             << std::count_if(r.rounds.begin(), r.rounds.end(), [](const auto& round) { return round.partial; })
             << ",\"cells\":" << r.cells << ",\"unknowns\":" << r.unknowns << ",\"eps1\":" << thresholds.min / r.unit
             << ",\"eps2\":" << thresholds.max / r.unit << ",\"thickness\":" << shell.relative_thickness()
@@ -315,9 +327,12 @@ void certify(const std::string& file, const Options& options)
     if(!result) return refuse(result.status(), result.offending_simplices);
     BS::Shell_certificate_3 certificate(result.shell());
     if(!options.directory.empty() || options.surfaces) certificate.verify(result.mesh());
-    print(file, name(result.kind()), result.shell(), result.shell().report().certificate, result.is_certified(), "",
-          seconds, write_files(file, options, result.shell(), certificate),
-          proxy_properties(result) + surfaces(options, result.shell(), certificate));
+    const char* const status = result.is_certified()           ? "certified"
+                               : result.shell().is_certified() ? "certified_except_excised"
+                                                               : "not_certified";
+    print(file, name(result.kind()), result.shell(), result.shell().report().certificate, status, "", seconds,
+          write_files(file, options, result.shell(), certificate),
+          proxy_properties(result) + excision_properties(result) + surfaces(options, result.shell(), certificate));
     return;
   }
 
@@ -335,7 +350,7 @@ void certify(const std::string& file, const Options& options)
           shell.closing()      ? "virtually closed"
           : shell.truncation() ? "truncated"
                                : "closed",
-          shell, shell.report().certificate, shell.is_certified(), "", seconds,
+          shell, shell.report().certificate, shell.is_certified() ? "certified" : "not_certified", "", seconds,
           write_files(file, options, shell, certificate), surfaces(options, shell, certificate));
     return;
   }
@@ -353,8 +368,8 @@ void certify(const std::string& file, const Options& options)
   std::string reason;
   if(certificate.arithmetic() != BS::Arithmetic_status::SOUND) reason = message(certificate.arithmetic());
   else if(certificate.status() != BS::Shell_status::SUCCESS) reason = message(certificate.status());
-  print(file, "closed", shell, certificate.report(), certificate.is_certified(), reason, seconds,
-        write_files(file, options, shell, certificate), surfaces(options, shell, certificate));
+  print(file, "closed", shell, certificate.report(), certificate.is_certified() ? "certified" : "not_certified", reason,
+        seconds, write_files(file, options, shell, certificate), surfaces(options, shell, certificate));
 }
 
 // Certifies in a separate process, and reports if the process dies.

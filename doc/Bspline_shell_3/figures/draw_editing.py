@@ -1,4 +1,4 @@
-"""Draws meshes before and after they are remeshed, closed, or truncated."""
+"""Draws meshes before and after they are remeshed, closed, truncated, or simplified around excised triangles."""
 from palette import FACET, MESH, OUTER, figure, save
 from render_shell import read
 from rendering import borders, creases, edges, fit, render, show, surface
@@ -40,4 +40,17 @@ def draw_truncation(prefix, center, picture):
         image = render([surface(data, FACET, ambient=0.3), edges(data, MESH, 0.8)], size, *view)
         show(ax, image, f"{what}: {data.GetNumberOfPolys()} facets")
     fig.subplots_adjust(0.005, 0.0, 0.995, 0.93, 0.02)
+    save(fig, picture)
+
+
+def draw_excision(prefix, picture):
+    mesh, excised, simplified = (read(f"{prefix}_{part}.ply") for part in ("mesh", "excised", "simplified"))
+    size = 650, 560
+    center, direction, up, height = (0, 0, 0.2), (-0.5, -1, 0.35), (0, 0, 1), 2.6
+    fig, (axes,) = figure(1, 2, 410)
+    for ax, data, what in zip(axes, (mesh, simplified), ("mesh", "simplified")):
+        image = render([surface(data, FACET, ambient=0.3), edges(data, MESH, 0.6), surface(excised, OUTER, ambient=0.4), edges(excised, MESH, 0.8)],
+                       size, center, direction, up, height)
+        show(ax, image, f"{what}: {data.GetNumberOfPolys()} facets, and {excised.GetNumberOfPolys()} excised triangles")
+    fig.subplots_adjust(0.005, 0.0, 0.995, 0.94, 0.02)
     save(fig, picture)

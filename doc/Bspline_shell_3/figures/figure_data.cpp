@@ -11,6 +11,7 @@
 //   figure_data truncate MESH PREFIX THICKNESS FACETS   the truncated mesh, and a simplified mesh
 //   figure_data soup    PREFIX                          intersecting polygons, and a simplified proxy with their
 //                       texture coordinates
+//   figure_data excised PREFIX                          a ball with stray triangles, and the simplified ball
 #include "../../../examples/Bspline_shell_3/broken_models.h"
 #include "../../../examples/Bspline_shell_3/example_output.h"
 
@@ -19,10 +20,13 @@
 #include <CGAL/Bspline_shell_3/IO/write_VTU.h>
 #include <CGAL/Bspline_shell_3/Mesh/replace_patches.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
+#include <CGAL/Bspline_shell_3/Soup/Excision_filter.h>
+#include <CGAL/Bspline_shell_3/Soup/check_excision.h>
 #include <CGAL/Bspline_shell_3/Soup/sample_soup_shares.h>
 #include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_corner_attribute.h>
 #include <CGAL/certified_bspline_shell_3.h>
+#include <CGAL/certified_shell_of_soup_3.h>
 #include <CGAL/certified_soup_proxy_3.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -268,6 +272,30 @@ void write_proxy(const std::string& prefix)
           "A mesh cannot be written.");
 }
 
+void write_excised(const std::string& prefix)
+{
+  const BS::Shell_of_soup_3 found = CGAL::certified_shell_of_soup_3(ball_with_stray_triangles().soup);
+  require(found.certification() == BS::Certification::EXCEPT_EXCISED, found.message());
+  const BS::Excised_soup_3& soup = *found.excised;
+  Mesh stray;
+  for(std::size_t t : soup.excised_triangles()) {
+    std::vector<Mesh::Vertex_index> corners;
+    for(std::size_t v : soup.soup().triangles[t]) corners.push_back(stray.add_vertex(soup.soup().points[v]));
+    stray.add_face(corners);
+  }
+  Mesh coarse = soup.mesh();
+  auto is_constrained = coarse.add_property_map<Mesh::Edge_index, bool>("e:is_constrained", false).first;
+  BS::constrain_pins(soup, is_constrained);
+  const auto simplified = BS::simplify_in_shell(
+    coarse, found.shell(), BS::parameters::edge_is_constrained_map(is_constrained).filter(BS::Excision_filter(soup)));
+  require(bool(simplified), simplified.message());
+  coarse.collect_garbage();
+  require(bool(BS::check_replacement(soup, coarse)), "The simplified ball does not fit the excised triangles.");
+  require(write_mesh(prefix + "_mesh.ply", soup.mesh()) && write_mesh(prefix + "_excised.ply", stray)
+            && write_mesh(prefix + "_simplified.ply", coarse),
+          "A mesh cannot be written.");
+}
+
 // Simplifies a bowl around the origin, and gives it one color inside and another outside. Transfers the colors back:
 // each of 16 parts of a facet of the bowl has the color of the facet to which its middle is mapped.
 void write_sides(const Mesh& mesh, const std::string& prefix, double thickness)
@@ -325,6 +353,10 @@ int main(int argc, char** argv)
     const std::string what = argc > 1 ? argv[1] : "";
     if(what == "soup" && argc == 3) {
       write_proxy(argv[2]);
+      return EXIT_SUCCESS;
+    }
+    if(what == "excised" && argc == 3) {
+      write_excised(argv[2]);
       return EXIT_SUCCESS;
     }
     require(argc == (what == "rounds" || what == "sides" ? 5 : 6), "Wrong number of arguments.");

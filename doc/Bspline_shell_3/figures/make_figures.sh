@@ -26,6 +26,7 @@ run open three_peaks 0.01 0
 run texture elephant 0.02 800
 "$build/figure_data" truncate examples/Bspline_shell_3/four_cubes.off "$data/four_cubes" 0.08 30
 "$build/figure_data" soup "$data/figure"
+"$build/figure_data" excised "$data/ball"
 (cd "$data" && "$build/heat_geodesics" "$build/data/meshes/rotor.off" 100 1)
 (cd "$data" && "$build/boolean_colors" "$build/data/meshes/bear.off")
 mkdir "$data"/fields_{1,4}

@@ -270,7 +270,7 @@ TEST_CASE("Second-order bounds: a slight peak in a facet or on an edge is detect
                                          { 0.25, { 0, 1, 0 } },
                                          { 1, { 0, 0, 1 } },
                                          { -0.1, { 0, 0, 0 } } });
-  const double peak = 0.03125; // at (1/8, 1/8, 1/10)
+  const double peak = 0.03125; // value at (1/8, 1/8, 1/10)
   CHECK(is_contained(centered, -1, peak + 1e-12, in_a_cell, 0));
   CHECK_FALSE(is_contained(centered, -1, peak - 1e-12, in_a_cell));
   const Field minimum = uniform_field({ { 1, { 2, 0, 0 } },
@@ -474,7 +474,7 @@ TEST_CASE("Second-order bounds: facets tilted by 1e-9 are classified correctly, 
   const Triangle around = { Point_3(-0.5, -0.3, 0.1), Point_3(0.5, -0.3, 0.1), Point_3(0, 0.5, 0.1) };
   for(double margin : { 1e-12, 1e-3 }) {
     for(double sign : { 1., -1. }) {
-      const double least = sign * margin; // at x = 0
+      const double least = sign * margin; // slope at x = 0
       const Field turned = uniform_field({ { least, { 0, 0, 1 } }, { 2, { 2, 0, 1 } } });
       const auto found = examine(between(turned, -5, 5), around, many, 100);
       if(sign < 0) CHECK_FALSE(found.is_transversal);
@@ -656,7 +656,7 @@ TEST_CASE("Second-order bounds: answers do not depend on a power-of-two scale, a
       if(found.is_transversal) CHECK(found.slope <= 1 + 1e-12);
     }
   }
-  // in cells of width one quarter
+  // Cells have width one quarter.
   const Field field = fields(1);
   const Bounds bounds = between(field, -0.5, 0.5);
   for(double size : { 1e-20, 1e-100, 1e-200, 1e-300 }) {

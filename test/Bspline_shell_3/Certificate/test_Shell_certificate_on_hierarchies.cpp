@@ -266,7 +266,7 @@ TEST_CASE("Predicates on a hierarchy: answers agree with exact values on facets 
     set(field, [&](double, double, double, int) { return random.get_double(-1, 1); });
     Exact_values values(field);
     for(int n = 0; n < 9; ++n) {
-      // from the smallest leaves to the other end, or only among the smallest leaves
+      // Triangles reach from the smallest leaves to the other end, or stay among the smallest leaves.
       const auto point = [&](double reach, const Point_3& center) {
         return center
                + Vector_3(random.get_double(-reach, reach), random.get_double(-reach, reach),
@@ -556,7 +556,7 @@ TEST_CASE("Certificate with a known cover: results agree with results without it
     REQUIRE(bounds.size() == without.size());
     for(std::size_t n = 0; n < bounds.size(); ++n) CHECK(bounds[n] >= without[n]);
   }
-  // with shared bounds
+  // Bounds are shared.
   const auto bounds = std::make_shared<const Certificate::Bounds>(shell.field(), shell.inner_threshold(),
                                                                   shell.outer_threshold());
   Certificate sharing(shell, bounds);

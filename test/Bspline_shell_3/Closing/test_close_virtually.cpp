@@ -225,4 +225,30 @@ TEST_CASE("Closing: the result does not depend on the number of threads")
   CHECK(a.closing->points() == b.closing->points());
   CHECK(a.closing->triangles() == b.closing->triangles());
 }
+
+TEST_CASE("Closing: scaling a mesh by a power of two scales its closing exactly")
+{
+  Mesh holed = sphere(3);
+  remove_facets(holed, [](const Point_3& p) { return std::abs(p.z()) < 0.3 || p.x() > 0.9; });
+  const Mesh dish = surface(8, 8, [](double u, double v) { return Point_3(u, v, 0.4 * (u * u + v * v)); });
+  for(const Mesh& mesh : { holed, dish }) {
+    BS::Closing_report report, scaled_report;
+    const auto found = BS::close_virtually<CGAL::Sequential_tag>(mesh, 0.2, report);
+    REQUIRE(found.closing);
+    for(int exponent : { 60, -60, 190, -190 }) {
+      CAPTURE(exponent);
+      const double scale = std::ldexp(1., exponent);
+      const Mesh scaled = mapped(mesh, [&](const Point_3& p) { return CGAL::ORIGIN + scale * (p - CGAL::ORIGIN); });
+      const auto other = BS::close_virtually<CGAL::Sequential_tag>(scaled, scale * 0.2, scaled_report);
+      REQUIRE(other.closing);
+      CHECK(other.closing->triangles() == found.closing->triangles());
+      REQUIRE(other.closing->points().size() == found.closing->points().size());
+      std::size_t wrong = 0;
+      for(std::size_t n = 0; n < found.closing->points().size(); ++n)
+        for(std::size_t a = 0; a < 3; ++a)
+          wrong += other.closing->points()[n][a] != scale * found.closing->points()[n][a];
+      CHECK(wrong == 0);
+    }
+  }
+}
 } // namespace test_close_virtually

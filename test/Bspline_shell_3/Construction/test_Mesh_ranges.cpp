@@ -181,7 +181,7 @@ TEST_CASE("Mesh ranges: ranges of unchanged cells are kept, and all others are u
   CHECK(size_of(ranges.cells()[changed]) < size);
   CHECK(ranges.thick_cells().size() == thick_before - 1);
 
-  // the same cells, renumbered
+  // The same cells are renumbered.
   const std::uint32_t n = std::uint32_t(before.size()), fresh = ranges.thick_cells().front().cell;
   Ranges reversed(n);
   for(std::uint32_t c = 0; c < n; ++c) reversed.keep(ranges, c, n - 1 - c);

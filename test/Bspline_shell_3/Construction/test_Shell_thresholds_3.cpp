@@ -173,7 +173,7 @@ TEST_CASE("Shell thresholds: a cell needs the room of all functions acting in it
   const Problem& p = problem();
   Thresholds thresholds(p.field, requested);
   thresholds.set_mesh_ranges(p.ranges);
-  // for each basis function, the extrema on the mesh in its support
+  // extrema on the mesh in the supports of basis functions
   std::vector<Level_range> of(p.field.number_of_coefficients());
   for(Index c = 0; c < p.field.number_of_cells(); ++c)
     if(p.is_on_mesh(c)) p.field.visit_coefficients(c, [&](int, Index u, double) { of[u].include(p.ranges[c]); });

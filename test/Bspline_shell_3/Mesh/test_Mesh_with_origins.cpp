@@ -1,6 +1,7 @@
 // Mesh_with_origins.h: meshes are copied with rounded coordinates; elements of the copy refer to those of the user's
 // mesh.
 #include <CGAL/Bspline_shell_3/Mesh/Mesh_with_origins.h>
+#include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
 #include "input_meshes.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -90,7 +91,8 @@ TEST_CASE("Input mesh: property maps of the user's mesh are unchanged, whatever 
   REQUIRE(check(input, mesh) == Status::SUCCESS);
   CHECK(input.number_of_components() == 2);
   CHECK(std::all_of(mesh.faces().begin(), mesh.faces().end(), [&](auto f) { return component[f] == 7; }));
-  CHECK_FALSE(input.mesh().property_map<Mesh::Face_index, std::size_t>("f:component").second);
+  CHECK_FALSE(
+    CGAL::Bspline_shells::internal::find_property_map<Mesh::Face_index, std::size_t>(input.mesh(), "f:component"));
 }
 
 TEST_CASE("Input mesh: lazy coordinates are rounded by their exact values, however wide their enclosures")

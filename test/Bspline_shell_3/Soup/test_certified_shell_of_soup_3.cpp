@@ -183,7 +183,8 @@ TEST_CASE("Shell of a soup: the message on polygons that are not a mesh counts p
 
 TEST_CASE("Shell of a soup: a soup that is rejected as a mesh gets a proxy, and the reason is kept", "[slow]")
 {
-  const BS::Shell_of_soup_3 strip = CGAL::certified_shell_of_soup_3(band(1), parameters::alpha(0.1));
+  const BS::Shell_of_soup_3 strip = CGAL::certified_shell_of_soup_3(band(1),
+                                                                    parameters::alpha(0.1).largest_excised_share(0.));
   REQUIRE(strip.is_certified());
   CHECK(strip.kind() == BS::Shell_kind::PROXY);
   CHECK(strip.mesh_status == BS::Shell_status::NOT_ORIENTABLE);

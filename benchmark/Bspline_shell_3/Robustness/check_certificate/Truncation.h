@@ -145,6 +145,14 @@ public:
   // Returns whether nothing is replaced.
   bool is_empty() const { return point.empty() && cut_facet.empty() && core.empty() && disc.empty(); }
 
+  // Returns the positions of all centers.
+  std::set<Point> center_positions() const
+  {
+    std::set<Point> positions;
+    for(Index p : centers) positions.insert(point[p]);
+    return positions;
+  }
+
   // Checks that h is a homeomorphism from the cut facets to the cores and discs, and does not move adjacent facets.
   void check() const
   {

@@ -62,6 +62,58 @@ inline Mesh random_cubes(CGAL::Random& random)
   return mesh;
 }
 
+// Returns cubes whose facets are subdivided, with noise, of a random size.
+inline Mesh random_scaled_cubes(CGAL::Random& random, double& unit)
+{
+  Mesh mesh = random_cubes(random);
+  if(mesh.is_empty()) return mesh;
+  mesh = subdivided(mesh);
+  unit = std::ldexp(random.get_double(0.5, 1), random.get_int(-60, 61));
+  const double noise = chance(random, 0.4) ? 0 : power_of_ten(random, -8, -1.5);
+  for(auto v : mesh.vertices()) {
+    const Point_3& p = mesh.point(v);
+    const Vector moved = unit * (Vector(p.x(), p.y(), p.z()) + noise * random_vector(random));
+    mesh.point(v) = Point_3(moved[0], moved[1], moved[2]);
+  }
+  return mesh;
+}
+
+// Removes a few facets.
+inline void remove_facets(CGAL::Random& random, Mesh& mesh)
+{
+  for(int n = random.get_int(1, 5); n > 0; --n) {
+    const CGAL::SM_Face_index f(std::uint32_t(random.get_int(0, int(mesh.number_of_faces()))));
+    if(!mesh.is_removed(f)) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  }
+}
+
+// Checks the claims of a certificate on the closed and truncated mesh.
+template <typename Shell, typename Certificate>
+void check_examined(Tally& tally, const Shell& shell, const Certificate& certificate, const std::string& kind)
+{
+  typedef typename Shell::Jets Jets;
+  const auto& mesh = certificate.examined_mesh();
+  if(!CGAL::is_closed(mesh)) tally.wrong(kind, "an open mesh is certified");
+  if(CGAL::Polygon_mesh_processing::does_self_intersect(mesh)) tally.wrong(kind, "the mesh intersects itself");
+  for(auto f : mesh.faces()) {
+    const Triangle t = triangle_of(mesh, f);
+    const Vector n = rounded_normal(t);
+    const Exact_slope slope(t);
+    const auto margin = [&](const std::array<double, 3>& p) {
+      return (std::min)(shell.above_inner(p), shell.below_outer(p));
+    };
+    const auto rise = [&](const std::array<double, 3>& p) { return n.dot(rounded_gradient(shell.field(), p)); };
+    const auto is_in = [](const Jets& j) { return j.f.value >= j.inner.value && j.f.value <= j.outer.value; };
+    const auto rises = [&](const Jets& j) { return slope(j.f, j.scale, 0); };
+    bool is_right = true;
+    for(const Barycentric<3>& b : worst_points(t, margin, 3, 1))
+      is_right = is_right && shell.ask(exact_point(t, b), is_in) == Shell::HOLDS;
+    for(const Barycentric<3>& b : worst_points(t, rise, 3, 1))
+      is_right = is_right && shell.ask(exact_point(t, b), rises) == Shell::HOLDS;
+    tally.count(kind + "_facet", is_right, "wrong on" + describe(t));
+  }
+}
+
 class Shell_check
 {
   typedef CGAL::Certified_bspline_shell_3 Certified_shell;
@@ -69,15 +121,16 @@ class Shell_check
   typedef Certified_shell::Threshold Threshold;
   typedef BS::Shell_certificate_3<Field, Threshold> Certificate;
   typedef Exact_shell<Threshold> Shell;
-  typedef Shell::Jets Jets;
   typedef CGAL::Exact_predicates_exact_constructions_kernel Lazy_kernel;
   typedef CGAL::Surface_mesh<Lazy_kernel::Point_3> Lazy_mesh;
 
 public:
   Shell_check(Tally& tally, CGAL::Random& random) : m_tally(tally), m_random(random)
   {
-    make_mesh();
+    m_mesh = random_scaled_cubes(random, m_unit);
     if(m_mesh.is_empty()) return;
+    if(chance(random, 0.5)) remove_facets(random, m_mesh);
+    m_mesh.collect_garbage();
     const Certified_shell shell = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(
       m_mesh, BS::parameters::relative_thickness(power_of_ten(random, -2, -1.2)));
     const std::string kind = std::string("shell") + (shell.closing() ? "_closed" : "")
@@ -90,59 +143,13 @@ public:
       m_tally.wrong(kind, "the mesh that the shell was built for is not certified");
       return;
     }
-    check_examined(exact, certificate, kind);
+    check_examined(m_tally, exact, certificate, kind);
     check_lazy_mesh(shell, certificate);
     check_moved(exact, shell);
     check_images(shell);
   }
 
 private:
-  void make_mesh()
-  {
-    m_mesh = random_cubes(m_random);
-    if(m_mesh.is_empty()) return;
-    m_mesh = subdivided(m_mesh);
-    const double unit = std::ldexp(m_random.get_double(0.5, 1), m_random.get_int(-60, 61)),
-                 noise = chance(m_random, 0.4) ? 0 : power_of_ten(m_random, -8, -1.5);
-    for(auto v : m_mesh.vertices()) {
-      const Point_3& p = m_mesh.point(v);
-      const Vector moved = unit * (Vector(p.x(), p.y(), p.z()) + noise * random_vector(m_random));
-      m_mesh.point(v) = Point_3(moved[0], moved[1], moved[2]);
-    }
-    m_unit = unit;
-    if(chance(m_random, 0.5))
-      for(int n = m_random.get_int(1, 5); n > 0; --n) {
-        const CGAL::SM_Face_index f(std::uint32_t(m_random.get_int(0, int(m_mesh.number_of_faces()))));
-        if(!m_mesh.is_removed(f)) CGAL::Euler::remove_face(m_mesh.halfedge(f), m_mesh);
-      }
-    m_mesh.collect_garbage();
-  }
-
-  // Checks the claims on the closed and truncated mesh.
-  void check_examined(const Shell& shell, const Certificate& certificate, const std::string& kind)
-  {
-    const auto& mesh = certificate.examined_mesh();
-    if(!CGAL::is_closed(mesh)) m_tally.wrong(kind, "an open mesh is certified");
-    if(CGAL::Polygon_mesh_processing::does_self_intersect(mesh)) m_tally.wrong(kind, "the mesh intersects itself");
-    for(auto f : mesh.faces()) {
-      const Triangle t = triangle_of(mesh, f);
-      const Vector n = rounded_normal(t);
-      const Exact_slope slope(t);
-      const auto margin = [&](const std::array<double, 3>& p) {
-        return (std::min)(shell.above_inner(p), shell.below_outer(p));
-      };
-      const auto rise = [&](const std::array<double, 3>& p) { return n.dot(rounded_gradient(shell.field(), p)); };
-      const auto is_in = [](const Jets& j) { return j.f.value >= j.inner.value && j.f.value <= j.outer.value; };
-      const auto rises = [&](const Jets& j) { return slope(j.f, j.scale, 0); };
-      bool is_right = true;
-      for(const Barycentric<3>& b : worst_points(t, margin, 3, 1))
-        is_right = is_right && shell.ask(exact_point(t, b), is_in) == Shell::HOLDS;
-      for(const Barycentric<3>& b : worst_points(t, rise, 3, 1))
-        is_right = is_right && shell.ask(exact_point(t, b), rises) == Shell::HOLDS;
-      m_tally.count(kind + "_facet", is_right, "wrong on" + describe(t));
-    }
-  }
-
   // Returns the mesh with lazy exact coordinates, which are known as intervals.
   static Lazy_mesh lazy(const Mesh& mesh)
   {
@@ -186,7 +193,7 @@ private:
       m_tally.count("shell_moved", certificate.is_certified() ? Verdict::PROVED : Verdict::UNDECIDED);
       if(!certificate.is_certified()) continue;
       if(moved.is_border(v)) m_tally.wrong("shell_moved", "a mesh with another border is certified");
-      check_examined(exact, certificate, "shell_moved");
+      check_examined(m_tally, exact, certificate, "shell_moved");
     }
   }
 

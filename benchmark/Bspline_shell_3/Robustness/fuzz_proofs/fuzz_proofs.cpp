@@ -1,12 +1,14 @@
 // Checks proofs and refutations of the library against exact arithmetic and brute force, on random input close to
 // changes of the verdict. Prints one JSON line with the numbers of results by kind and verdict, and of wrong ones.
 //
-//   fuzz_proofs --seconds S --seed N [--threads T] [--case C]
+//   fuzz_proofs --seconds S --seed N [--threads T] [--case C | --kind K]
 //
 // A case depends only on the seed and its number; the number of cases depends on the time. --case: only this case.
+// --kind: only cases of this kind, from 0 to 17; 17 is excision.
 // Wrong results are described on stderr, with their seed and case, and the exit code is 1.
 #include "check_certificate.h"
 #include "check_cover.h"
+#include "check_excisions.h"
 #include "check_geometry.h"
 #include "check_predicates.h"
 #include "check_shells.h"
@@ -114,6 +116,8 @@ void check_field(Tally& tally, CGAL::Random& random)
   }
 }
 
+constexpr std::uint64_t number_of_kinds = 18;
+
 // Checks one case, which depends only on the two numbers.
 void check_case(Tally& tally, std::uint64_t seed, std::uint64_t number)
 {
@@ -122,7 +126,7 @@ void check_case(Tally& tally, std::uint64_t seed, std::uint64_t number)
   CGAL::Random random(static_cast<unsigned int>(hash >> 33));
   tally.begin(number);
   typedef BS::Constant_threshold Constant;
-  switch(number % 17) {
+  switch(number % number_of_kinds) {
     case 0: Certificate_check<Constant>(tally, random); break;
     case 1: Certificate_check<BS::Spline_threshold<Field> >(tally, random); break;
     case 2:
@@ -141,6 +145,7 @@ void check_case(Tally& tally, std::uint64_t seed, std::uint64_t number)
     case 8:
     case 9: check_field<Constant>(tally, random); break;
     case 10: Shell_check(tally, random); break;
+    case 17: Excision_check(tally, random); break;
     default: check_field<BS::Spline_threshold<Field> >(tally, random); break;
   }
 }
@@ -148,18 +153,24 @@ void check_case(Tally& tally, std::uint64_t seed, std::uint64_t number)
 int main(int argc, char** argv)
 {
   double seconds = 60;
-  std::uint64_t seed = 1, only = 0;
+  std::uint64_t seed = 1, only = 0, first = 0, step = 1;
   unsigned int threads = (std::max)(1u, std::thread::hardware_concurrency());
   bool is_single = false;
   for(int n = 1; n < argc; n += 2) {
     const std::string option = argv[n];
-    if(n + 1 == argc || (option != "--seconds" && option != "--seed" && option != "--threads" && option != "--case")) {
-      std::cerr << "Usage: fuzz_proofs [--seconds S] [--seed N] [--threads T] [--case C]\n";
+    if(n + 1 == argc
+       || (option != "--seconds" && option != "--seed" && option != "--threads" && option != "--case"
+           && option != "--kind")) {
+      std::cerr << "Usage: fuzz_proofs [--seconds S] [--seed N] [--threads T] [--case C | --kind K]\n";
       return 2;
     }
     if(option == "--seconds") seconds = std::atof(argv[n + 1]);
     if(option == "--seed") seed = std::strtoull(argv[n + 1], nullptr, 10);
     if(option == "--threads") threads = (std::max)(1u, unsigned(std::atoi(argv[n + 1])));
+    if(option == "--kind") {
+      step = number_of_kinds;
+      first = std::strtoull(argv[n + 1], nullptr, 10) % step;
+    }
     if(option == "--case") {
       only = std::strtoull(argv[n + 1], nullptr, 10);
       is_single = true;
@@ -183,8 +194,8 @@ int main(int argc, char** argv)
     std::vector<std::thread> workers;
     const CGAL::Real_timer* clock = &timer;
     for(Tally& tally : tallies)
-      workers.emplace_back([&next, &tally, &check_one, clock, seconds]() {
-        while(clock->time() < seconds) check_one(tally, next++);
+      workers.emplace_back([&next, &tally, &check_one, clock, seconds, first, step]() {
+        while(clock->time() < seconds) check_one(tally, first + step * next++);
       });
     for(std::thread& worker : workers) worker.join();
   }

@@ -135,7 +135,7 @@ public:
   std::uint32_t flood(const Point_3& p, std::uint32_t component)
   {
     constexpr std::size_t chunk = 64;
-    std::vector<std::uint32_t> cells; // to be subdivided
+    std::vector<std::uint32_t> cells; // subdivided next
     std::vector<std::size_t> front, next, waiting;
     const auto include = [&](std::size_t b) {
       m_undecided += m_boxes[b].kind == Box_kind::UNDECIDED;

@@ -33,10 +33,10 @@ struct Component_match
 {
   static constexpr std::size_t none = Certificate_witness::none;
 
-  /// for each component of the mesh, the component of the shell that contains it; `none` if there is none, or if it is
+  /// by component of the mesh: the component of the shell that contains it; `none` if there is none, or if it is
   /// unknown
   std::vector<std::size_t> component_of_shell;
-  /// for each component of the shell, how often its paths cross the mesh from the back to the front, counted with
+  /// by component of the shell: how often its paths cross the mesh from the back to the front, counted with
   /// signs; empty if all paths of the component are degenerate
   std::vector<std::optional<int> > crossings;
 

@@ -12,6 +12,8 @@
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
 
+#include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -26,6 +28,10 @@ struct Virtual_closing
   std::vector<Mesh_with_origins::Face_index> offending_facets;
   std::shared_ptr<const Shell_closing_3> closing; ///< not null if the status is `SUCCESS`
 };
+
+/// \ingroup PkgBsplineShell3Closing
+/// a function that returns whether the hole at a point on the border has to be capped; it may be empty
+typedef std::function<bool(const std::array<double, 3>&)> Hole_predicate;
 
 /*!
  * \ingroup PkgBsplineShell3Closing
@@ -42,14 +48,16 @@ struct Virtual_closing
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \param mesh an open triangle mesh
  * \param offset approximate upper bound on the distance of back sheets from the mesh, in the units of the coordinates
- * \param[out] report how holes were closed
+ * \param[out] report how holes were closed; if the status is `NOT_CLOSABLE`, only which holes could be capped
+ * \param requires_cap whether the hole at a point must have a cap; if one of them has none, there is no closing
  * \return the closing, which makes the mesh closed and free of self-intersections, or the reason why there is none:
  *   `SELF_INTERSECTION` of the mesh itself, or `NOT_CLOSABLE`
  * \pre facets have positive area, and each vertex has one fan
  * \cgalHeading{Cost} A search for self-intersections each time the distance is halved somewhere.
  */
 template <typename ConcurrencyTag>
-Virtual_closing close_virtually(const Mesh_with_origins::Triangle_mesh& mesh, double offset, Closing_report& report);
+Virtual_closing close_virtually(const Mesh_with_origins::Triangle_mesh& mesh, double offset, Closing_report& report,
+                                const Hole_predicate& requires_cap = Hole_predicate());
 
 } // namespace Bspline_shells
 } // namespace CGAL

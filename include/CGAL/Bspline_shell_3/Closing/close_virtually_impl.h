@@ -15,6 +15,7 @@
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <memory>
@@ -76,10 +77,16 @@ public:
     while(m_caps.replace(intersections(m_caps.capped_mesh()))) {}
   }
 
+  // Replaces caps until all of them meet the requirements.
+  void improve_caps(const Hole_caps::Requirements& requirements)
+  {
+    while(m_caps.replace(requirements)) cap_holes();
+  }
+
   // Returns whether a closing was found; otherwise, `m_intersections` are those of the last attempt.
   bool close(const Hole_caps::Requirements& requirements)
   {
-    while(m_caps.replace(requirements)) cap_holes();
+    improve_caps(requirements);
     Back_sheet back(m_caps.capped_mesh(), m_offset);
     // Each round halves distances only at some vertices, so a mesh with successively narrower parts needs many rounds.
     constexpr int most_rounds = 40;
@@ -133,6 +140,8 @@ public:
   const Closing_report& report() const { return m_report; }
   // Returns the smallest gap of the closed mesh that is due to the closing.
   double least_gap() const { return m_least_gap; }
+  // Lists the holes, and whether each has a cap, after the last attempt.
+  void describe_holes(Closing_report& report) const { m_caps.describe(report); }
   // Returns the facets of the mesh where the last attempt failed.
   std::vector<Face_index> offending_facets() const
   {
@@ -156,7 +165,8 @@ private:
 } // namespace internal
 
 template <typename ConcurrencyTag>
-Virtual_closing close_virtually(const Mesh_with_origins::Triangle_mesh& mesh, double offset, Closing_report& report)
+Virtual_closing close_virtually(const Mesh_with_origins::Triangle_mesh& mesh, double offset, Closing_report& report,
+                                const Hole_predicate& requires_cap)
 {
   typedef internal::Virtual_closer<ConcurrencyTag> Closer;
   Virtual_closing closed;
@@ -176,10 +186,24 @@ Virtual_closing close_virtually(const Mesh_with_origins::Triangle_mesh& mesh, do
   Closer strict(mesh, offset);
   strict.cap_holes();
   Closer loose(strict);
+  if(requires_cap) {
+    Closer capped(strict);
+    capped.improve_caps(fair);
+    Closing_report holes;
+    capped.describe_holes(holes);
+    const auto is_missing = [&](const Closing_report::Hole& hole) {
+      return !hole.is_capped && requires_cap(hole.point);
+    };
+    if(std::any_of(holes.holes.begin(), holes.holes.end(), is_missing)) {
+      report = holes;
+      return closed;
+    }
+  }
   const Closer* best = &strict;
   if(!strict.close(good) || strict.report().sheets > 0)
     if(loose.close(fair) && !(strict.least_gap() >= loose.least_gap())) best = &loose;
   if(!best->closing()) {
+    loose.describe_holes(report);
     closed.offending_facets = best->offending_facets();
     return closed;
   }

@@ -30,7 +30,7 @@ namespace Bspline_shells {
 struct Threshold_obstacle
 {
   std::uint32_t cell;
-  std::array<double, 3> point; ///< in the units of the coordinates
+  std::array<double, 3> point; ///< place in the units of the coordinates
   Sign side = ZERO;            ///< side of the threshold; `ZERO` if the field may be zero at the place
   double size = 0;             ///< upper bound on the threshold's magnitude
 };

@@ -17,6 +17,7 @@
 #include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
 #include <CGAL/Bspline_shell_3/Support/instances.h>
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -44,10 +45,12 @@ struct Certified_shell_parameters
   std::optional<double> resolution;
   double relative_thickness = 0.01;               ///< fraction of the longest side of the mesh's bounding box
   std::shared_ptr<const Shell_closing_3> closing; ///< closes the mesh if it is open
+  /// whether the hole at a point on the border must be closed by a cap; empty if none must
+  std::function<bool(const std::array<double, 3>&)> hole_requires_cap;
   bool closes_virtually = true;    ///< whether an open mesh is closed by `close_virtually()` if there is no `closing`
   bool truncates = true;           ///< whether vertices are truncated, unless self-intersections are tolerated
   double least_cone_margin = 0.01; ///< vertices with a smaller cone margin are truncated
-  std::optional<double> thickness; ///< in the units of the coordinates; used instead of `relative_thickness`
+  std::optional<double> thickness; ///< replaces `relative_thickness`; in the units of the coordinates
   /// returns the largest thickness near a point, in the units of the coordinates; used instead of the two above
   std::function<double(const Certified_bspline_shell_3::Point_3&)> sizing;
   Refinement_parameters refinement;

@@ -33,7 +33,7 @@ struct Round_findings
   std::vector<Index> thick_at_first;          ///< thick and nearly thick cells before corrections, if many were thick
   std::vector<Threshold_obstacle> obstacles;
   Obstacle_kind kind = Obstacle_kind::FEW; ///< kind of the obstacles
-  std::vector<Index> causing_cells;        ///< at narrow gaps: cells where |f| leaves no room for thresholds
+  std::vector<Index> causing_cells;        ///< cells at narrow gaps, where |f| leaves no room for thresholds
   std::vector<Index> similar;              ///< cells that are similar to causing cells (`similar_cells()`)
   std::vector<Index> two_sheets;           ///< cells where two components of the mesh share a component of the shell
 };

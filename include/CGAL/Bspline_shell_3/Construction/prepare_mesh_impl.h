@@ -37,7 +37,14 @@ Input_mesh_3 prepare_mesh(Mesh_with_origins mesh, const Input_mesh_3::Tolerated_
   if(!refusal) refusal = internal::validate_mesh<ConcurrencyTag>(mesh, closing || parameters.closes_virtually);
   if(!refusal && !closing && !CGAL::is_closed(mesh.mesh)) {
     const double offset = parameters.closing_offset(mesh.unit());
-    const Virtual_closing found = close_virtually<ConcurrencyTag>(mesh.mesh, offset, report.closing);
+    Virtual_closing found = close_virtually<ConcurrencyTag>(mesh.mesh, offset, report.closing,
+                                                            parameters.hole_requires_cap);
+    // A cap may have been removed because it intersects a back sheet.
+    for(const Closing_report::Hole& hole : report.closing.holes)
+      if(!hole.is_capped && parameters.hole_requires_cap && parameters.hole_requires_cap(hole.point)) {
+        found.status = Shell_status::NOT_CLOSABLE;
+        found.closing.reset();
+      }
     closing = found.closing;
     refusal.status = found.status;
     std::vector<std::size_t>& facets = refusal.offending_simplices.facets;

@@ -332,7 +332,7 @@ private:
   Refinement_limit m_limit;
   bool m_is_corrected = false; // whether the last correction was completed
   std::optional<Certificate> m_certificate;
-  std::vector<Threshold_obstacle> m_obstacles; // of the last round
+  std::vector<Threshold_obstacle> m_obstacles; // those of the last round
 };
 
 template <typename ConcurrencyTag>

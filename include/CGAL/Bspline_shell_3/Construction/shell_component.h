@@ -24,7 +24,7 @@ namespace Bspline_shells {
  */
 struct Shell_component
 {
-  std::vector<char> cells; ///< for each cell of the field, whether it is in the cover
+  std::vector<char> cells; ///< whether each cell of the field is in the cover
   /// cells of the cover where the shell may reach the boundary of the domain
   std::vector<std::uint32_t> border_cells;
 };

@@ -67,7 +67,7 @@ std::vector<double> target_slopes(const Input_mesh_3& input, double fraction)
  *
  * The slope varies little within a cell; the caller checks it everywhere.
  *
- * \tparam ConcurrencyTag as for `target_slopes()`; unless it is `Sequential_tag`, functions are called concurrently
+ * \tparam ConcurrencyTag the tag of `target_slopes()`; unless it is `Sequential_tag`, functions are called concurrently
  * \param target_slope the slope of a triangle in a cell (`target_slopes()`). If it is zero, no condition is added,
  *   because corrections cannot help at a singular vertex.
  * \param needs_conditions whether a cell needs conditions

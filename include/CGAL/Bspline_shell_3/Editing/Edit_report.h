@@ -33,7 +33,7 @@ struct Edit_report
   /// the facets and vertices at which the mesh was not accepted before the edit; see `Edit_status::NOT_IN_SHELL`. The
   /// vertex of a truncated tip represents the triangles that replace the tip.
   Offending_simplices offending_simplices;
-  /// with `freeze_rejected_facets(true)`: the positions of the frozen facets in `faces(mesh)` before the edit,
+  /// positions of the facets that `freeze_rejected_facets(true)` freezes in `faces(mesh)` before the edit,
   /// ascending, and the positions of the same facets after it, in the same order. If the shell truncates tips of the
   /// mesh, the positions are not ascending: parts of a facet that was cut have its position, and triangles that replace
   /// a tip have `no_facet`.

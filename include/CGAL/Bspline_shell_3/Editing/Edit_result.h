@@ -34,14 +34,15 @@ struct Edit_result : Report
   /// facet and barycentric coordinates: a `CGAL::Polygon_mesh_processing::Face_location`
   typedef std::pair<face_descriptor, std::array<double, 3> > Location;
 
-  /// for each vertex of the original mesh, in the order of `vertices(mesh)`, the vertex of the result into which it was
-  /// collapsed, or the vertex itself; empty if the mesh was not edited. This vertex may be far from the location below:
-  /// vertices move when edges are collapsed, and when vertices are relaxed.
+  /// vertices of the result into which the vertices of the original mesh were collapsed, or these vertices themselves,
+  /// in the order of `vertices(mesh)`; empty if the mesh was not edited. Such a vertex may be far from the location
+  /// below: vertices move when edges are collapsed, and when vertices are relaxed.
   std::vector<vertex_descriptor> images;
 
-  /// with `locate_vertices(true)`: for each vertex of the original mesh, in the order of `vertices(mesh)`, the location
-  /// where the integral curve through its original position meets the result. This is its image under the `Shell_map_3`
-  /// from the original mesh to the result. The facet is null if no image was found. Empty if the mesh was not edited.
+  /// locations where the integral curves through the original positions of the vertices of the original mesh meet the
+  /// result, in the order of `vertices(mesh)`; computed with `locate_vertices(true)`. A location is the vertex's image
+  /// under the `Shell_map_3` from the original mesh to the result. The facet is null if no image was found. Empty if
+  /// the mesh was not edited.
   std::vector<Location> locations;
 };
 

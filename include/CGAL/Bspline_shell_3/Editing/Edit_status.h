@@ -15,7 +15,7 @@ namespace Bspline_shells {
 enum class Edit_status
 {
   SUCCESS, ///< the result is certified
-  /// with `freeze_rejected_facets(true)`: facets were frozen, and the result is not certified; its other facets are
+  /// facets were frozen (`freeze_rejected_facets(true)`), and the result is not certified; its other facets are
   /// proved to lie in the shell and to face along the gradient
   PARTIALLY_EDITED,
   NO_SHELL,              ///< there is no shell

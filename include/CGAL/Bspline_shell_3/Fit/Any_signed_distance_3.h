@@ -23,7 +23,7 @@ namespace internal {
 template <typename Oracle, typename = void>
 struct Point_of_oracle
 {
-  typedef Exact_predicates_inexact_constructions_kernel::Point_3 type; // for example, if the oracle is a lambda
+  typedef Exact_predicates_inexact_constructions_kernel::Point_3 type; // the oracle may be a lambda
 };
 template <typename Oracle>
 struct Point_of_oracle<Oracle, std::void_t<typename Oracle::Point_3> >

@@ -206,9 +206,9 @@ private:
     }
   };
 
-  std::vector<Index> m_facets; // in the order of groups
+  std::vector<Index> m_facets; // ordered by groups
   Boxes m_boxes;
-  // in the same order, because facets of a group may be far from each other in memory
+  // ordered in the same way, because facets of a group may be far from each other in memory
   std::vector<Bbox_3> m_boxes_of_facets;
   AABB_tree<Traits> m_tree;
 };

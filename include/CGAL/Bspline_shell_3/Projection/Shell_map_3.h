@@ -140,8 +140,8 @@ public:
   const Shell& shell() const { return m_to_target.shell(); }
   const Source_mesh& source() const { return m_to_source.target().mesh(); }
   const Target_mesh& target() const { return m_to_target.target().mesh(); }
-  const Projection_to_source& to_source() const { return m_to_source; } ///< for points anywhere in the shell
-  const Projection_to_target& to_target() const { return m_to_target; } ///< for points anywhere in the shell
+  const Projection_to_source& to_source() const { return m_to_source; } ///< maps any point of the shell
+  const Projection_to_target& to_target() const { return m_to_target; } ///< maps any point of the shell
 
   /// returns the inverse map, in constant time
   Shell_map_3<Shell, Target_mesh, Source_mesh, Projection_to_target, Projection_to_source> inverse() const

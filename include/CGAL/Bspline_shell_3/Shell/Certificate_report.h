@@ -226,7 +226,7 @@ struct Certificate_report
   /// number of witnesses of each claim, including those that are not listed
   std::array<std::size_t, 5> number_of_witnesses = {};
   static constexpr std::size_t max_witnesses = 256;
-  /// for each component of the mesh, the component of the shell that is proved to contain it, or
+  /// by component of the mesh: the component of the shell that is proved to contain it, or
   /// `Certificate_witness::none`. Components of a shell are numbered like those of the mesh for which it was built.
   std::vector<std::size_t> components;
   /// a path through each component of the mesh for which degree one is proved

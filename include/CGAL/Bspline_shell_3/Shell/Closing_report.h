@@ -25,7 +25,7 @@ struct Closing_report
   {
     std::array<double, 3> point = {}; ///< a point of the cycle
     std::size_t edges = 0;            ///< number of edges of the cycle
-    bool is_capped = false;           ///< whether it is filled by a cap; otherwise, a back sheet begins there
+    bool is_capped = false;           ///< whether it is filled by a cap; otherwise, a back sheet would begin there
   };
 
   std::vector<Hole> holes;

@@ -22,8 +22,8 @@ enum class Box_kind : std::uint8_t
   /// outside the shell: on the whole closed box, the field is below the inner threshold or above the outer threshold
   EXCLUDED,
   MONOTONE,       ///< on the whole closed box, the field increases along a fixed direction: no critical point
-  CRITICAL_BELOW, ///< at all critical points in the closed box, the field is below the inner threshold
-  CRITICAL_ABOVE, ///< at all critical points in the closed box, the field is above the outer threshold
+  CRITICAL_BELOW, ///< the field is below the inner threshold at all critical points in the closed box
+  CRITICAL_ABOVE, ///< the field is above the outer threshold at all critical points in the closed box
   UNDECIDED       ///< none of the above was proved
 };
 

@@ -25,7 +25,7 @@ namespace Bspline_shells {
  */
 struct Refinement_obstacle
 {
-  std::array<double, 3> point = {}; ///< in the units of the coordinates, as are all lengths here
+  std::array<double, 3> point = {}; ///< place in the units of the coordinates, as are all lengths here
   double cell_width = 0;            ///< width of the cell there
   /// local gap of the mesh (`Local_gap_3`); infinite if it is much wider than the cell
   double gap = std::numeric_limits<double>::infinity();

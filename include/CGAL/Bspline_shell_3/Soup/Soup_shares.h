@@ -29,7 +29,7 @@ enum class Soup_point
 struct Soup_shares
 {
   double carried = 0, continued = 0, hidden = 0; ///< fractions of the total area, by `Soup_point`
-  std::vector<Soup_point> facets;                ///< for each facet of the soup's mesh, the value of most samples
+  std::vector<Soup_point> facets;                ///< values of most samples on the facets of the soup's mesh
 
   /// returns the carried fraction of the visible area
   double carried_of_visible() const { return carried + continued > 0 ? carried / (carried + continued) : 0; }

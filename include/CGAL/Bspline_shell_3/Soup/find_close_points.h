@@ -46,7 +46,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_per_object = 64; // of vertices on a border, few are close to each other
+  static constexpr std::size_t most_per_object = 64; // few border vertices are close to each other
   std::size_t m_most, m_count = 0;
 };
 

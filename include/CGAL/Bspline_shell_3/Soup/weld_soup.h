@@ -30,8 +30,8 @@ enum class Weld_change : unsigned char
 /// the polygons from which the polygons of a welded soup were made
 struct Weld_provenance
 {
-  std::vector<std::size_t> polygon_of; ///< for each polygon, its polygon in the original soup
-  std::vector<Weld_change> change;     ///< for each polygon, how it was changed
+  std::vector<std::size_t> polygon_of; ///< original polygons of the polygons
+  std::vector<Weld_change> change;     ///< how the polygons were changed
 };
 
 /// \ingroup PkgBsplineShell3Soup

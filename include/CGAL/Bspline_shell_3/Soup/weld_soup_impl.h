@@ -196,7 +196,7 @@ private:
   }
   double reduced(double edge_length) const
   {
-    constexpr double fraction = 1. / 8; // of edges: changes are small in relation to facets
+    constexpr double fraction = 1. / 8; // part of an edge: changes are small in relation to facets
     return m_is_reduced ? (std::min)(m_distance, fraction * edge_length) : m_distance;
   }
 
@@ -460,7 +460,7 @@ private:
   }
   bool turns(const Triangle& before, const Triangle& after) const
   {
-    constexpr double squared_cosine = 0.969846310392954; // of 10 degrees
+    constexpr double squared_cosine = 0.969846310392954; // squared cosine of 10 degrees
     const auto normal = [&](const Triangle& t) {
       return facet_normal(m_soup.points[t[0]], m_soup.points[t[1]], m_soup.points[t[2]]).direction;
     };
@@ -532,16 +532,16 @@ private:
 
   std::vector<std::size_t> m_border_points;
   std::size_t m_border_edges_before = 0, m_border_edges_after = 0;
-  std::vector<double> m_largest; // for each point, the largest distance that is bridged at it
+  std::vector<double> m_largest; // largest distances that are bridged at points
 
   std::vector<std::size_t> m_active;       // numbers of active polygons in the soup
   Polygons m_polygons;                     // active polygons
-  std::vector<std::size_t> m_first_corner; // for each of them, the number of its first corner
-  std::vector<char> m_is_border_side;      // for each corner, whether the side that begins there is on the border
+  std::vector<std::size_t> m_first_corner; // numbers of their first corners
+  std::vector<char> m_is_border_side;      // whether the side that begins at a corner is on the border
 
-  std::vector<std::size_t> m_cluster; // for each point, the first point of its cluster, which may be the point itself
-  std::vector<std::size_t> m_size;    // for the first point of a cluster, the number of its points
-  std::vector<char> m_is_refused;     // for the first point of a cluster
+  std::vector<std::size_t> m_cluster; // first points of the clusters of points
+  std::vector<std::size_t> m_size;    // numbers of points of clusters, by first point
+  std::vector<char> m_is_refused;     // whether clusters are refused, by first point
   std::size_t m_impossible_clusters = 0;
   std::set<std::pair<std::size_t, std::size_t> > m_refused_insertions; // corner and point
   bool m_has_refused = false;
@@ -559,7 +559,7 @@ private:
 CGAL_BSPLINE_SHELL_3_INLINE Welded_soup weld_soup(const Polygon_soup& soup, const Weld_parameters& parameters)
 {
   constexpr double units = 4;           // each of two points may be off by two units
-  constexpr double fraction = 1. / 100; // of the thickness: the shell must separate parts that are not welded
+  constexpr double fraction = 1. / 100; // part of the thickness: the shell must separate parts that are not welded
   Welded_soup result;
   Polygon_soup tidy = soup;
   Soup_repairs repairs;

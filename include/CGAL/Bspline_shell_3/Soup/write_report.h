@@ -102,10 +102,10 @@ private:
  * \brief writes a report on a shell and its construction as a JSON object.
  *
  * The object contains the status, the kind of shell, a message, the repairs, the welding, sizes, claims, times and, if
- * the shell is not certified, the obstacles. It also contains how parts were united, how holes were closed or, for a
- * proxy, which share of the area the proxy represents and why the mesh itself has no certified shell. Lengths are in
- * the units of the coordinates, and times in seconds. Offending facets and vertices are
- * `Shell_of_soup_3::offending_simplices`.
+ * the shell is not certified, the obstacles. It also contains how parts were united, how many triangles were excised
+ * for which reason, how holes were closed or, for a proxy, which share of the area the proxy represents and why the
+ * mesh itself has no certified shell. Lengths are in the units of the coordinates, and times in seconds. Offending
+ * facets and vertices are `Shell_of_soup_3::offending_simplices`.
  *
  * \param out a stream; its format flags and locale are restored
  * \param result the shell
@@ -126,9 +126,7 @@ inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const
       return internal::JSON_object(out, false);
     };
     const Shell_report& r = result.shell().report();
-    json("file", file)("status", !result                 ? "refused"
-                                 : result.is_certified() ? "certified"
-                                                         : "not certified")("message", result.message());
+    json("file", file)("status", result ? name(result.certification()) : "refused")("message", result.message());
     if(result) json("kind", name(result.kind()));
     const Soup_repairs& repairs = result.repairs;
     object("repairs")("merged_points", repairs.merged_points)("removed_polygons", repairs.removed_polygons)(
@@ -146,7 +144,16 @@ inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const
         "solids", unite.solids)("united_solids", unite.united_solids)("groups", unite.groups)(
         "hidden_facets", unite.hidden_facets)("partly_hidden_facets", unite.partly_hidden_facets)(
         "coplanar_pairs", unite.coplanar_pairs)("hidden_area", unite.hidden_area)("seconds", unite.seconds);
-    if(result.mesh_status != Shell_status::SUCCESS || result.proxy) {
+    const Excision_report& excision = result.excision_report;
+    if(excision.excised > 0) {
+      internal::JSON_object of_excision = object("excision");
+      of_excision("message", result.excision_message())("triangles", excision.triangles)("excised", excision.excised)(
+        "excised_area", excision.excised_area)("pinned_vertices", excision.pinned_vertices)(
+        "pinned_edges", excision.pinned_edges)("reversed", excision.reversed)("duplicates", excision.duplicates);
+      for(std::size_t n = 1; n < number_of_excision_reasons; ++n)
+        of_excision(name(Excision_reason(n)), excision.triangles_with[n]);
+    }
+    if(result.mesh_status != Shell_status::SUCCESS || result.proxy || result.excised) {
       const Offending_simplices& offenders = result.offending_simplices;
       object("mesh_itself")("message", result.mesh_message())("facets", offenders.facets)(
         "vertices", offenders.vertices)("near_duplicates", result.near_duplicates);
@@ -161,7 +168,7 @@ inline bool write_report(std::ostream& out, const Shell_of_soup_3& result, const
         "continued", shares.continued)("hidden", shares.hidden)("polygons_left_out",
                                                                 result.proxy->soup().polygons_left_out());
     }
-    if(result && result.kind() == Shell_kind::VIRTUALLY_CLOSED)
+    if(result && result.shell().closing())
       object("closing")("holes", r.closing.holes.size())("caps", r.closing.caps())("sheets", r.closing.sheets)(
         "triangles", r.closing.triangles)("least_offset", r.closing.least_offset)("largest_offset",
                                                                                   r.closing.largest_offset);

@@ -10,10 +10,12 @@
 
 #include <CGAL/version_macros.h>
 
+#include <optional>
+#include <string>
+
 #if CGAL_VERSION_MAJOR >= 6
 #include <CGAL/AABB_traits_3.h>
 #include <CGAL/AABB_triangle_primitive_3.h>
-#include <optional>
 #include <variant>
 #else
 #include <CGAL/AABB_traits.h>
@@ -51,6 +53,20 @@ const T* get_if(const Variant& variant)
   return boost::get<T>(&variant);
 }
 #endif
+
+// Returns a property map of a `Surface_mesh`, if it exists.
+template <typename Key, typename Value, typename Mesh>
+std::optional<typename Mesh::template Property_map<Key, Value> > find_property_map(const Mesh& mesh,
+                                                                                   const std::string& name)
+{
+  const auto found = mesh.template property_map<Key, Value>(name);
+#if CGAL_VERSION_MAJOR >= 6
+  return found;
+#else
+  if(found.second) return found.first;
+  return std::nullopt;
+#endif
+}
 
 } // namespace internal
 } // namespace Bspline_shells

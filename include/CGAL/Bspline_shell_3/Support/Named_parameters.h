@@ -31,11 +31,13 @@ namespace Bspline_shells {
   OWN(allow_singular_vertices)                                                                                         \
   OWN(virtual_closing)                                                                                                 \
   OWN(closing)                                                                                                         \
+  OWN(hole_requires_cap)                                                                                               \
   OWN(truncate)                                                                                                        \
   OWN(least_cone_margin)                                                                                               \
   OWN(alpha)                                                                                                           \
   OWN(offset)                                                                                                          \
   OWN(weld_tolerance)                                                                                                  \
+  OWN(largest_excised_share)                                                                                           \
   OWN(allow_open_shell)                                                                                                \
   OWN(skip_open_components)                                                                                            \
   OWN(tolerance)                                                                                                       \

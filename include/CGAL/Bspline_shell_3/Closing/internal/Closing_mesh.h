@@ -10,11 +10,13 @@
 #include <CGAL/Bspline_shell_3/Mesh/facet_normal.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
+#include <CGAL/Bspline_shell_3/Support/power_of_two.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/squared_distance_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -68,19 +70,35 @@ inline Closing_kernel::Vector_3 outward_conormal(const Closing_mesh& mesh, Closi
 class Ray_tree : public AABB_tree<AABB_traits_3<Closing_kernel, AABB_face_graph_triangle_primitive<Closing_mesh> > >
 {
 public:
-  explicit Ray_tree(const Closing_mesh& mesh) : AABB_tree(mesh.faces().begin(), mesh.faces().end(), mesh) {}
+  explicit Ray_tree(const Closing_mesh& mesh)
+    : AABB_tree(mesh.faces().begin(), mesh.faces().end(), mesh),
+      m_reach(1 / reciprocal_power_of_two(largest_coordinate(mesh)))
+  {}
 
   // Returns the distance to the first facet in a direction, except for facets that `skip` selects, or infinity if there
-  // is none.
+  // is none. The direction is a unit vector.
   template <typename Skip>
   double distance(const Closing_kernel::Point_3& p, const Closing_kernel::Vector_3& direction, const Skip& skip) const
   {
     if(size() < 2) return std::numeric_limits<double>::infinity(); // with one facet, the tree would ignore `skip`
-    const auto hit = first_intersection(Closing_kernel::Ray_3(p, direction), skip);
+    const auto hit = first_intersection(Closing_kernel::Ray_3(p, m_reach * direction), skip);
     if(!hit) return std::numeric_limits<double>::infinity();
     const auto* point = internal::get_if<Closing_kernel::Point_3>(hit->first);
     return point ? std::sqrt(CGAL::squared_distance(p, *point)) : 0.; // the ray lies in a facet's plane
   }
+
+private:
+  static double largest_coordinate(const Closing_mesh& mesh)
+  {
+    double largest = 0;
+    for(const Closing_kernel::Point_3& p : mesh.points())
+      largest = (std::max)({ largest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z()) });
+    return largest;
+  }
+
+  // distance of the second point that defines a ray; at smaller distances, the sum with large coordinates would round
+  // away the direction
+  double m_reach;
 };
 
 } // namespace internal

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// What the caller wants of an edit. Types of arguments are erased, so that edits are compiled once for each mesh type.
+// The options of an edit. Types of arguments are erased, so that edits are compiled once for each mesh type.
 template <typename TriangleMesh>
 struct Edit_options
 {

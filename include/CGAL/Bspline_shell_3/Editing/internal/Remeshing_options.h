@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// What the caller wants of remeshing; `Point` is that of shells.
+// The options of remeshing; `Point` is that of shells.
 template <typename TriangleMesh, typename Point>
 struct Remeshing_options : Edit_options<TriangleMesh>
 {

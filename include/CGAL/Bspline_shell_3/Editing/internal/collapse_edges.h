@@ -36,7 +36,7 @@ struct Collapse_options : Edit_options<TriangleMesh>
   typedef Surface_mesh_simplification::Edge_profile<TriangleMesh, VertexPointMap, GeomTraits> Profile;
 
   bool protects_constraints = true;
-  bool may_repeat = false;                              // if the rollback cannot be observed
+  bool may_repeat = false;                              // only if the rollback cannot be observed
   const Any_collapse_policy<Profile>* policy = nullptr; // that of Garland and Heckbert if null
   Any_collapse_visitor<Profile>* visitor = nullptr;     // never null
   Collapse_stop_predicate<Profile> stop;

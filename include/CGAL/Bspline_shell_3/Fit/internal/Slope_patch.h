@@ -234,7 +234,7 @@ private:
   Bbox_3 m_reach;
   std::vector<int> m_places; // by coefficient, from the first unknown: place among the unknowns, or -1
   std::vector<Cell> m_cells;
-  Vector m_step; // of the unknowns; empty before
+  Vector m_step; // change of the unknowns; empty before
 };
 
 } // namespace internal

@@ -118,7 +118,7 @@ public:
   }
 
   bool is_bad() const { return m_bad; }
-  std::uint64_t checksum() const { return m_checksum.value(); } // of all data read so far
+  std::uint64_t checksum() const { return m_checksum.value(); } // covers all data read so far
   bool is_at_end()
   {
     require(1);

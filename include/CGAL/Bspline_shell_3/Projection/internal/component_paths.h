@@ -97,7 +97,7 @@ bool share_components(const Shell& shell, const Projection_facets_3& first, cons
       return t;
     };
     const auto component = [&](std::size_t n) { return std::size_t(other.component[n]); };
-    // for each component of the other mesh, one of this mesh
+    // partners of the components of the other mesh among those of this mesh
     const std::vector<std::size_t> partner = match_components(component_paths(shell, meshes[i]),
                                                               other.number_of_components,
                                                               other.facets.number_of_facets(), triangle, component)

@@ -12,6 +12,7 @@
 #include <CGAL/Bspline_shell_3/Soup/United_mesh.h>
 #include <CGAL/Bspline_shell_3/Soup/internal/Solid_finder.h>
 #include <CGAL/Bspline_shell_3/Soup/internal/exact_union.h>
+#include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Support/sort_unique.h>
@@ -114,9 +115,9 @@ private:
       m_vertex.push_back(is_in_input ? found->second : m_size + std::size_t(v));
       m_rounded.emplace_back(p[0], p[1], p[2]);
     }
-    const auto source = m_exact.property_map<Exact_mesh::Face_index, std::size_t>("f:source");
+    const auto source = *find_property_map<Exact_mesh::Face_index, std::size_t>(m_exact, "f:source");
     for(auto f : m_exact.faces()) {
-      Facet facet{ source.first[f], {} };
+      Facet facet{ source[f], {} };
       const auto h = m_exact.halfedge(f);
       facet.corners = { m_vertex[m_exact.source(h)], m_vertex[m_exact.target(h)],
                         m_vertex[m_exact.target(m_exact.next(h))] };

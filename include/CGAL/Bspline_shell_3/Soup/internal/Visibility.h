@@ -11,6 +11,7 @@
 #include <CGAL/Bspline_shell_3/Soup/United_mesh.h>
 #include <CGAL/Bspline_shell_3/Soup/internal/Solid_finder.h>
 #include <CGAL/Bspline_shell_3/Soup/internal/exact_union.h>
+#include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
@@ -91,7 +92,7 @@ public:
 private:
   void choose_probes(const Exact_mesh& exact)
   {
-    const Exact_sources sources = exact.property_map<Exact_mesh::Face_index, std::size_t>("f:source").first;
+    const Exact_sources sources = *find_property_map<Exact_mesh::Face_index, std::size_t>(exact, "f:source");
     std::vector<char> separates(exact.number_of_edges(), 0);
     for(auto h : exact.halfedges())
       if(m_solids.meets_others[sources[exact.face(h)]]) separates[exact.edge(h)] = 1;

@@ -216,8 +216,8 @@ private:
   const Projection_facets_3* m_facets;
   int m_symmetry;
   std::vector<Eigen::Vector3d> m_of_facets;
-  std::vector<Gradient> m_gradients;                     // of linear fields
-  std::vector<Eigen::Vector3d> m_of_vertices, m_normals; // of interpolated fields
+  std::vector<Gradient> m_gradients;                     // linear fields only
+  std::vector<Eigen::Vector3d> m_of_vertices, m_normals; // interpolated fields only
   std::vector<std::size_t> m_vertices;
 };
 

@@ -1,0 +1,245 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BSPLINE_SHELL_3_SOUP_EXCISE_UNTIL_CERTIFIED_H
+#define CGAL_BSPLINE_SHELL_3_SOUP_EXCISE_UNTIL_CERTIFIED_H
+
+#include <CGAL/Bspline_shell_3/Shell/Refinement_obstacle.h>
+#include <CGAL/Bspline_shell_3/Shell/Shell_report.h>
+#include <CGAL/Bspline_shell_3/Shell/Truncation_report.h>
+#include <CGAL/Bspline_shell_3/Soup/Excised_soup_3.h>
+#include <CGAL/Bspline_shell_3/Soup/check_excision.h>
+#include <CGAL/Bspline_shell_3/Soup/choose_excision.h>
+#include <CGAL/Bspline_shell_3/Soup/internal/Excision_growth.h>
+#include <CGAL/Bspline_shell_3/Soup/internal/Excision_holes.h>
+#include <CGAL/Bspline_shell_3/Support/CGAL_compatibility.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
+#include <CGAL/Bspline_shell_3/Support/Status.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Bspline_shells {
+
+/*!
+ * \ingroup PkgBsplineShell3Soup
+ *
+ * \brief the limits of `excise_until_certified()`.
+ */
+struct Excision_limits
+{
+  /// largest fraction of the area that may be excised
+  double share = 0.1;
+  /// largest number of meshes that are tried. Doublings of the rings around one place reach the limit of the area
+  /// first.
+  std::size_t attempts = 12;
+  /// largest number of shells that are fitted; each may take as long as the shell of a sound mesh
+  std::size_t shells = 3;
+  /// largest number of places without a proof that are excised. More places are a property of the surface, not defects.
+  std::size_t places = 20;
+};
+
+namespace internal {
+
+// Returns the facets closest to the places where the proof of a shell failed.
+inline std::vector<Excised_soup_3::Mesh::Face_index> facets_at_obstacles(
+  const Excised_soup_3::Mesh& mesh, const std::vector<Refinement_obstacle>& obstacles)
+{
+  typedef AABB_face_graph_triangle_primitive<Excised_soup_3::Mesh> Primitive;
+  typedef AABB_tree<AABB_traits_3<Exact_predicates_inexact_constructions_kernel, Primitive> > Tree;
+  std::vector<Excised_soup_3::Mesh::Face_index> facets;
+  Tree tree(faces(mesh).first, faces(mesh).second, mesh);
+  for(const Refinement_obstacle& o : obstacles) {
+    const Excised_soup_3::Point_3 p(o.point[0], o.point[1], o.point[2]);
+    facets.push_back(tree.closest_point_and_primitive(p).second);
+  }
+  sort_unique(facets);
+  return facets;
+}
+
+// Returns the truncated vertices of a mesh.
+inline std::vector<Excised_soup_3::Mesh::Vertex_index> truncated_vertices(const Truncation_report& report)
+{
+  typedef Excised_soup_3::Mesh Mesh;
+  std::vector<Mesh::Vertex_index> truncated;
+  for(const Truncation_report::Vertex& v : report.vertices)
+    if(v.outcome == Truncation_report::Outcome::TRUNCATED) truncated.emplace_back(Mesh::size_type(v.vertex));
+  return truncated;
+}
+
+// Returns the facets of components that have to be reversed: those of the listed facets or, if these have more than
+// half of the area, all others.
+inline std::vector<Excised_soup_3::Mesh::Face_index> facets_on_wrong_side(const Excised_soup_3& soup,
+                                                                          const std::vector<std::size_t>& listed)
+{
+  typedef Excised_soup_3::Mesh Mesh;
+  const Mesh& mesh = soup.mesh();
+  std::vector<std::size_t> component(mesh.number_of_faces());
+  const std::size_t size = Polygon_mesh_processing::connected_components(mesh, CGAL::make_property_map(component));
+  std::vector<char> is_listed(size, 0);
+  for(std::size_t f : listed) is_listed[component[f]] = 1;
+  double area[2] = { 0, 0 }; // the sums for the other components, and for those listed
+  for(auto f : mesh.faces()) area[std::size_t(is_listed[component[f]])] += Polygon_mesh_processing::face_area(f, mesh);
+  const char chosen = area[1] <= area[0] ? 1 : 0;
+  std::vector<Mesh::Face_index> facets;
+  for(auto f : mesh.faces())
+    if(is_listed[component[f]] == chosen) facets.push_back(f);
+  return facets;
+}
+
+// Tries shells of the mesh of an excised soup, and excises more where they fail.
+template <typename Shell>
+class Excision_attempts
+{
+  typedef Excised_soup_3::Mesh Mesh;
+  typedef std::vector<Mesh::Face_index> Facets;
+public:
+  Excision_attempts(Excised_soup_3 soup, const Excision_limits& limits) : m_soup(std::move(soup)), m_limits(limits) {}
+
+  // Returns whether there is a certified shell.
+  // \param build returns the shell of a mesh, in which holes with the given points have a cap
+  template <typename Build>
+  bool run(const Build& build)
+  {
+    for(; m_attempts < m_limits.attempts; ++m_attempts) {
+      Run::poll();
+      if(!m_soup || m_soup.report().excised_area > m_limits.share) return false;
+      const Excision_holes holes(m_soup);
+      const bool may_have_sheets = m_attempts + 1 == m_limits.attempts;
+      m_shell = build(m_soup.mesh(),
+                      [&](const std::array<double, 3>& p) { return !may_have_sheets && holes.contain(p); });
+      if(ends_all_attempts(m_shell.status())) return false;
+      if(m_shell.is_certified()) {
+        const Excision_verdict verdict = check_excision(m_soup, truncated_vertices(m_shell.report().truncation));
+        if(verdict) return true;
+        // A truncated vertex moves, so excised triangles must not depend on it.
+        if(verdict.status != Excision_status::MOVED_TIP
+           || !excise(facets_at(verdict.vertices), Excision_reason::SINGULAR_PIN, 0))
+          return false;
+      } else if(m_shell ? !excise_unproved() : !excise_refused()) return false;
+    }
+    return false;
+  }
+
+  Excised_soup_3& soup() { return m_soup; }
+  Shell& shell() { return m_shell; }
+
+private:
+  // \param rings number of rings around facets at places that did not fail before
+  bool excise(const Facets& facets, Excision_reason reason, std::size_t rings)
+  {
+    if(facets.empty()) return false;
+    m_soup = excise_also(m_soup, m_growth.triangles_around(m_soup, facets, rings), reason);
+    return true;
+  }
+
+  // Excises facets at places of a shell that are not proved.
+  bool excise_unproved()
+  {
+    const auto& obstacles = m_shell.report().obstacles;
+    if(++m_shells == m_limits.shells || obstacles.empty() || obstacles.size() > m_limits.places) return false;
+    return excise(facets_at_obstacles(m_soup.mesh(), obstacles), Excision_reason::NOT_CERTIFIED, 1);
+  }
+
+  // Changes the mesh where it was rejected.
+  bool excise_refused()
+  {
+    const Offending_simplices& offenders = m_shell.report().offending_simplices;
+    switch(m_shell.status()) {
+      case Shell_status::INCONSISTENT_ORIENTATION: return turn_or_excise(offenders.facets);
+      case Shell_status::NOT_CLOSABLE:
+      case Shell_status::SELF_INTERSECTION:
+      case Shell_status::NON_MANIFOLD:
+      case Shell_status::DEGENERATE_FACET:
+      case Shell_status::SINGULAR_VERTEX: break;
+      default: return false;
+    }
+    if(m_shell.status() == Shell_status::NOT_CLOSABLE
+       && excise(Excision_holes(m_soup).facets_without_cap(m_shell.report().closing), Excision_reason::NOT_CLOSABLE, 0))
+      return true;
+    std::vector<Mesh::Vertex_index> vertices;
+    for(std::size_t v : offenders.vertices) vertices.emplace_back(Mesh::size_type(v));
+    Facets facets = facets_at(vertices);
+    for(std::size_t f : offenders.facets) facets.emplace_back(Mesh::size_type(f));
+    return excise(facets, Excision_reason::NOT_CLOSABLE, 0);
+  }
+
+  Facets facets_at(const std::vector<Mesh::Vertex_index>& vertices) const
+  {
+    Facets facets;
+    for(auto v : vertices)
+      for(auto f : m_soup.mesh().faces_around_target(m_soup.mesh().halfedge(v)))
+        if(f != Mesh::null_face()) facets.push_back(f);
+    return facets;
+  }
+
+  // Reverses components once. If this does not help, they are excised.
+  bool turn_or_excise(const std::vector<std::size_t>& listed)
+  {
+    const Facets facets = facets_on_wrong_side(m_soup, listed);
+    if(facets.empty()) return false;
+    if(!std::exchange(m_has_reversed, true)) {
+      m_soup = reverse_facets(m_soup, facets);
+      return true;
+    }
+    std::vector<std::size_t> triangles;
+    for(auto f : facets) triangles.push_back(m_soup.triangle_of(f));
+    m_soup = excise_also(m_soup, triangles, Excision_reason::WRONG_SIDE);
+    return true;
+  }
+
+  Excised_soup_3 m_soup;
+  Shell m_shell;
+  Excision_limits m_limits;
+  Excision_growth m_growth;
+  std::size_t m_attempts = 0; // number of failed attempts
+  std::size_t m_shells = 0;   // number of shells without a certificate
+  bool m_has_reversed = false;
+};
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgBsplineShell3Soup
+ *
+ * \brief builds a certified shell of the mesh of an excised soup, and excises more triangles where this fails.
+ *
+ * If the mesh cannot be closed, the facets at which this fails are excised. If the same place fails again, rings of
+ * facets around it are excised, too, one more each time. If a shell is not certified because of a few places, the
+ * facets there are excised, too. Components that face the wrong side are reversed. If this is impossible because they
+ * are open, they are excised.
+ *
+ * \tparam Build a function that returns the `Shell` of an `Excised_soup_3::Mesh`. Its second argument is a function
+ *   that returns whether the hole at a point has to be capped (`hole_requires_cap`).
+ * \tparam Shell a `Bspline_shell_3`
+ * \param[in,out] soup an excised soup; afterwards, the last one that was tried
+ * \param[out] shell the last shell that was built
+ * \return whether the shell is certified, and `check_excision()` accepts the soup with the truncation of the shell
+ */
+template <typename Shell, typename Build>
+bool excise_until_certified(Excised_soup_3& soup, Shell& shell, const Excision_limits& limits, const Build& build)
+{
+  internal::Excision_attempts<Shell> attempts(std::move(soup), limits);
+  const bool is_certified = attempts.run(build);
+  soup = std::move(attempts.soup());
+  shell = std::move(attempts.shell());
+  return is_certified;
+}
+
+} // namespace Bspline_shells
+} // namespace CGAL
+
+#endif // CGAL_BSPLINE_SHELL_3_SOUP_EXCISE_UNTIL_CERTIFIED_H

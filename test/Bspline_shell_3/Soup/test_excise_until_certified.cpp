@@ -1,0 +1,163 @@
+// Where no shell is built, more triangles are excised: more each time, and only as many as allowed.
+#include <CGAL/Bspline_shell_3/Soup/excise_until_certified.h>
+#include <CGAL/certified_bspline_shell_3.h>
+#include <CGAL/certified_shell_of_soup_3.h>
+#include "excised_soups.h"
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace test_excise_until_certified {
+namespace {
+
+using namespace excised_soups;
+namespace parameters = CGAL::Bspline_shells::parameters;
+typedef BS::Excision_reason Reason;
+typedef CGAL::Certified_bspline_shell_3 Shell;
+
+// Returns a shell that was rejected with the given facets.
+Shell rejected(BS::Shell_status status, std::vector<std::size_t> facets)
+{
+  BS::Shell_report report;
+  report.status = status;
+  report.offending_simplices.facets = std::move(facets);
+  return Shell(report);
+}
+
+// Returns a sphere with a fin, of 321 triangles.
+BS::Polygon_soup sphere_with_fin()
+{
+  const Mesh mesh = sphere(2);
+  BS::Polygon_soup soup = soup_of(mesh);
+  const auto h = mesh.halfedge(Mesh::Face_index(0));
+  const Point_3 p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h));
+  add_triangle(soup, p, q, CGAL::ORIGIN + 0.7 * ((p - CGAL::ORIGIN) + (q - CGAL::ORIGIN)));
+  return soup;
+}
+
+} // namespace
+
+TEST_CASE("Excision until certified: a soup of one sound mesh and a fin gets a certified shell except for the fin")
+{
+  const BS::Shell_of_soup_3 result = CGAL::certified_shell_of_soup_3(sphere_with_fin());
+  REQUIRE(result);
+  CHECK(result.kind() == BS::Shell_kind::EXCISED);
+  CHECK(result.certification() == BS::Certification::EXCEPT_EXCISED);
+  CHECK_FALSE(result.is_certified());
+  CHECK(result.shell().is_certified());
+  CHECK(result.mesh_status == BS::Shell_status::NON_MANIFOLD);
+  CHECK(result.proxy_status == BS::Shell_status::NOT_BUILT);
+  REQUIRE(result.excised);
+  CHECK(result.excised->excised_triangles() == std::vector<std::size_t>{ 320 });
+  CHECK(&result.mesh() == &result.excised->mesh());
+  CHECK(CGAL::is_closed(result.mesh()));
+  CHECK(result.message().find("1 of 321 triangles") != std::string::npos);
+}
+
+TEST_CASE("Excision until certified: no more than the allowed share of the area is excised")
+{
+  const BS::Polygon_soup soup = sphere_with_fin();
+  const BS::Shell_of_soup_3 none = CGAL::certified_shell_of_soup_3(soup, parameters::largest_excised_share(0.));
+  CHECK(none.kind() == BS::Shell_kind::PROXY);
+  CHECK(none.certification() == BS::Certification::WHOLE);
+  CHECK(none.excision_message().empty());
+  const BS::Shell_of_soup_3 little = CGAL::certified_shell_of_soup_3(soup, parameters::largest_excised_share(1e-4));
+  CHECK(little.kind() == BS::Shell_kind::PROXY);
+  CHECK(little.excision_message().find("largest_excised_share") != std::string::npos);
+  const BS::Shell_of_soup_3 invalid = CGAL::certified_shell_of_soup_3(soup, parameters::largest_excised_share(1.1));
+  CHECK(invalid.status() == BS::Shell_status::INVALID_PARAMETER);
+  CHECK(invalid.invalid_parameter.name == std::string("largest_excised_share"));
+}
+
+TEST_CASE("Excision until certified: more facets are excised each time that a place fails")
+{
+  BS::Excised_soup_3 soup = chosen(soup_of(sphere(3)));
+  const Point_3 place = centroid(soup.mesh(), Mesh::Face_index(0));
+  BS::Excision_limits limits;
+  limits.share = 0.5;
+  std::vector<std::size_t> excised;
+  Shell shell;
+  const bool is_certified = BS::excise_until_certified(soup, shell, limits, [&](const Mesh& mesh, const auto&) {
+    excised.push_back(1280 - mesh.number_of_faces());
+    std::size_t closest = 0;
+    for(auto f : mesh.faces())
+      if(distance(centroid(mesh, f), place) < distance(centroid(mesh, Mesh::Face_index(unsigned(closest))), place))
+        closest = f;
+    return rejected(BS::Shell_status::NOT_CLOSABLE, { closest });
+  });
+  CHECK_FALSE(is_certified);
+  REQUIRE(excised.size() >= 3);
+  CHECK(excised.size() <= limits.attempts);
+  CHECK(excised[0] == 0);
+  CHECK(excised[1] == 1);
+  for(std::size_t n = 3; n < excised.size(); ++n) CHECK(excised[n] - excised[n - 1] > excised[n - 1] - excised[n - 2]);
+  CHECK(soup.report().excised
+        == soup.report().number_of(Reason::NOT_CLOSABLE) + soup.report().number_of(Reason::FRAGMENT)
+             + soup.report().number_of(Reason::STEEP_BORDER) + soup.report().number_of(Reason::NON_MANIFOLD));
+  CHECK(soup.report().excised_area > limits.share);
+}
+
+TEST_CASE("Excision until certified: failures that excision cannot help end it")
+{
+  for(const BS::Shell_status status :
+      { BS::Shell_status::CANCELED, BS::Shell_status::MEMORY_LIMIT_EXCEEDED, BS::Shell_status::NOT_CLOSABLE }) {
+    BS::Excised_soup_3 soup = chosen(soup_of(sphere(1)));
+    Shell shell;
+    int calls = 0;
+    CHECK_FALSE(BS::excise_until_certified(soup, shell, {}, [&](const Mesh&, const auto&) {
+      ++calls;
+      return rejected(status, {});
+    }));
+    CHECK(calls == 1);
+    CHECK(shell.status() == status);
+    CHECK(soup.report().excised == 0);
+  }
+}
+
+TEST_CASE("Excision until certified: components on the wrong side are reversed once, and then excised")
+{
+  BS::Excised_soup_3 soup = chosen(soup_of(joined(sphere(2), sphere(1, 0.3))));
+  Shell shell;
+  int calls = 0;
+  BS::excise_until_certified(soup, shell, {}, [&](const Mesh& mesh, const auto&) {
+    ++calls;
+    if(calls == 1) return rejected(BS::Shell_status::INCONSISTENT_ORIENTATION, { 320 });
+    if(calls == 2) {
+      CHECK(mesh.number_of_faces() == 400);
+      return rejected(BS::Shell_status::INCONSISTENT_ORIENTATION, { 0 }); // the smaller component all the same
+    }
+    CHECK(mesh.number_of_faces() == 320);
+    return rejected(BS::Shell_status::SOLVER_FAILED, {});
+  });
+  CHECK(calls == 3);
+  CHECK(soup.report().number_of(Reason::WRONG_SIDE) == 80);
+}
+
+TEST_CASE("Excision until certified: holes that excision made are to be capped, and others need not be")
+{
+  Mesh mesh = sphere(2);
+  const Point_3 excised_place = centroid(mesh, Mesh::Face_index(7));
+  BS::Excised_soup_3 soup = excised(soup_of(mesh), { 7 });
+  Shell shell;
+  const auto& c = soup.soup().triangles[7];
+  BS::excise_until_certified(soup, shell, {}, [&](const Mesh&, const auto& requires_cap) {
+    const Point_3& p = soup_of(sphere(2)).points[c[0]];
+    CHECK(requires_cap({ p.x(), p.y(), p.z() }));
+    CHECK_FALSE(requires_cap({ 9, 9, 9 }));
+    return rejected(BS::Shell_status::SOLVER_FAILED, {});
+  });
+  // With a hole of its own, the sphere may get a sheet.
+  mesh = sphere(2);
+  remove_facets(mesh,
+                [&](const Point_3& p) { return distance(p, CGAL::ORIGIN - (excised_place - CGAL::ORIGIN)) < 0.3; });
+  BS::Excised_soup_3 open = excised(soup_of(mesh), { 7 });
+  BS::excise_until_certified(open, shell, {}, [&](const Mesh& remaining, const auto& requires_cap) {
+    for(const Point_3& p : remaining.points()) CHECK_FALSE(requires_cap({ p.x(), p.y(), p.z() }));
+    return rejected(BS::Shell_status::SOLVER_FAILED, {});
+  });
+}
+} // namespace test_excise_until_certified
