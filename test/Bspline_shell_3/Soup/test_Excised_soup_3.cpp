@@ -4,6 +4,7 @@
 
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>

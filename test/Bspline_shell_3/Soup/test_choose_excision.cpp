@@ -8,6 +8,8 @@
 
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 namespace test_choose_excision {

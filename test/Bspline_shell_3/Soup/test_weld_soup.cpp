@@ -3,6 +3,7 @@
 #include <CGAL/Bspline_shell_3/Soup/weld_soup.h>
 #include "test_meshes.h"
 
+#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/boost/graph/helpers.h>
 
