@@ -165,6 +165,21 @@ TEST_CASE("Closing: two sheets back to back, closer than the offset, get back sh
   CHECK(report.largest_offset < 0.01);
 }
 
+TEST_CASE("Closing: if only triangles of the closing intersect, the facets at their vertices are named")
+{
+  // Back sheets are not closer than 1/16384 of the offset, so that those of both sheets do not fit between them.
+  const double offset = 0.2, gap = 1.5 * offset / 16384;
+  const Mesh front = sheet(steps(0, 1, 3), steps(0, 1, 3)),
+             mesh = joined(front,
+                           reversed(mapped(front, [&](const Point_3&p) { return Point_3(p.x(), p.y(), -gap); })));
+  BS::Closing_report report;
+  const BS::Virtual_closing found = BS::close_virtually<CGAL::Sequential_tag>(mesh, offset, report);
+  CHECK(found.status == Status::NOT_CLOSABLE);
+  CHECK_FALSE(found.offending_facets.empty());
+  CHECK(std::any_of(found.offending_facets.begin(), found.offending_facets.end(),
+                    [&](auto f) { return std::size_t(f) >= front.number_of_faces(); }));
+}
+
 TEST_CASE("Closing: closed components are left unchanged")
 {
   const Mesh mesh = joined(sphere(2, 1, Point_3(5, 0, 0)), sheet(steps(0, 1, 2), steps(0, 1, 2)));

@@ -83,7 +83,7 @@ public:
     while(m_caps.replace(requirements)) cap_holes();
   }
 
-  // Returns whether a closing was found; otherwise, `m_intersections` are those of the last attempt.
+  // Returns whether a closing was found; otherwise, `offending_facets()` are those of the last attempt.
   bool close(const Hole_caps::Requirements& requirements)
   {
     improve_caps(requirements);
@@ -95,8 +95,8 @@ public:
       Closing_mesh whole(m_mesh);
       const auto attached = assembled.closing.attach(whole, whole.points());
       if(!attached) break;
-      m_intersections = intersections(whole);
-      if(m_intersections.empty()) {
+      const Facet_pairs found = intersections(whole);
+      if(found.empty()) {
         m_closing = std::make_shared<const Shell_closing_3>(std::move(assembled.closing));
         m_least_gap = (std::min)(m_caps.least_gap(), back.least_gap());
         m_report = Closing_report();
@@ -107,9 +107,12 @@ public:
         continue;
       }
       std::vector<Back_sheet::Triangle> intersecting;
-      for(const auto& pair : m_intersections)
+      m_offending_facets.clear();
+      for(const auto& pair : found)
         for(Face_index f : { pair.first, pair.second })
           if(m_caps.is_cap(f)) intersecting.push_back(assembled.triangles[std::size_t(f) - m_mesh.number_of_faces()]);
+          else m_offending_facets.push_back(f);
+      if(m_offending_facets.empty()) m_offending_facets = facets_at(back, intersecting);
       if(!back.move_closer(intersecting)) break;
     }
     return bool(m_closing);
@@ -142,21 +145,28 @@ public:
   double least_gap() const { return m_least_gap; }
   // Lists the holes, and whether each has a cap, after the last attempt.
   void describe_holes(Closing_report& report) const { m_caps.describe(report); }
-  // Returns the facets of the mesh where the last attempt failed.
-  std::vector<Face_index> offending_facets() const
+  // Returns the facets of the mesh that intersected others in the last attempt. If only triangles of the closing did,
+  // these are the facets at their vertices.
+  const std::vector<Face_index>& offending_facets() const { return m_offending_facets; }
+
+private:
+  std::vector<Face_index> facets_at(const Back_sheet& back, const std::vector<Back_sheet::Triangle>& triangles) const
   {
     std::vector<Face_index> facets;
-    for(const auto& pair : m_intersections)
-      for(Face_index f : { pair.first, pair.second })
-        if(!m_caps.is_cap(f)) facets.push_back(f);
+    for(const Back_sheet::Triangle& t : triangles)
+      for(std::size_t n : t) {
+        const std::size_t v = back.original(n);
+        if(v >= m_mesh.number_of_vertices()) continue; // the apex of a cap
+        for(Face_index f : m_mesh.faces_around_target(m_mesh.halfedge(Closing_mesh::Vertex_index(std::uint32_t(v)))))
+          if(f != Closing_mesh::null_face()) facets.push_back(f);
+      }
     return facets;
   }
 
-private:
   const Closing_mesh& m_mesh;
   double m_offset;
   Hole_caps m_caps;
-  Facet_pairs m_intersections;
+  std::vector<Face_index> m_offending_facets;
   std::shared_ptr<const Shell_closing_3> m_closing;
   Closing_report m_report;
   double m_least_gap = 0;

@@ -75,8 +75,10 @@ public:
     return m_mesh.point(vertex(n)) + m_distance[n] * (m_back[n] + m_slope[n] * m_beyond[n]);
   }
 
+  // Returns the vertex of which a vertex is the copy; otherwise, the vertex itself.
+  std::size_t original(std::size_t n) const { return n % m_size; }
   // Returns the distance at a vertex or its copy.
-  double distance(std::size_t n) const { return m_distance[n % m_size]; }
+  double distance(std::size_t n) const { return m_distance[original(n)]; }
 
   // Returns the copies whose angle with the reversed original facet has a cosine below `least_cosine`. There, the
   // distance is too large for the curvature of the mesh.
@@ -98,7 +100,7 @@ public:
   // Makes the strip steeper at a border vertex or its copy. Returns false if the strip is upright or there is none.
   bool make_steeper(std::size_t n)
   {
-    const std::size_t v = n % m_size;
+    const std::size_t v = original(n);
     if(m_distance[v] == 0 || m_slope[v] == 0 || m_beyond[v] == Vector_3(0, 0, 0)) return false;
     m_slope[v] = (std::max)(m_slope[v] - 0.5, 0.);
     return true;
@@ -113,7 +115,7 @@ public:
     bool has_moved = false;
     for(const Triangle& t : triangles)
       for(std::size_t n : t) {
-        const std::size_t v = n % m_size;
+        const std::size_t v = original(n);
         if(m_distance[v] == 0 || is_halved[v]) continue;
         is_halved[v] = 1;
         m_distance[v] /= 2;
