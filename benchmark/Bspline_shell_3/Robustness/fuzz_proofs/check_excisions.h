@@ -418,7 +418,7 @@ private:
     const std::vector<Vertex> excised(m_excised.vertices.begin(), m_excised.vertices.end());
     for(int n = 0; n < 12; ++n) {
       Mesh changed = mesh;
-      for(int step = m_random.get_int(1, 3); step > 0; --step) {
+      for(int step = m_random.get_int(1, 3); step > 0 && changed.number_of_faces() > 1; --step) {
         const CGAL::SM_Vertex_index v(std::uint32_t(any(changed.number_of_vertices())));
         const CGAL::SM_Halfedge_index h(std::uint32_t(any(changed.number_of_halfedges())));
         switch(m_random.get_int(0, 6)) {
