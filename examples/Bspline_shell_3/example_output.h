@@ -199,10 +199,8 @@ inline void print_reason(const BS::Shell_of_soup_3& found)
   list_places(std::cout, "              vertices", found.offending_simplices.vertices);
 }
 
-// Prints what was excised, and writes the excised triangles.
 inline bool write_excised(const std::string& file, const BS::Excised_soup_3& soup)
 {
-  std::cout << "excised       " << message(soup.report()) << "\n";
   BS::Polygon_soup::Polygons triangles;
   for(std::size_t t : soup.excised_triangles())
     triangles.emplace_back(soup.soup().triangles[t].begin(), soup.soup().triangles[t].end());

@@ -141,8 +141,11 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
     if(result.shell_of_mesh.is_certified() || BS::internal::ends_all_attempts(result.mesh_status)) return;
     status = &result.excision_status;
     const auto build_capped = [&](const BS::Excised_soup_3::Mesh& mesh, const auto& requires_cap) {
-      typedef BS::Named_parameters<std::decay_t<decltype(requires_cap)>, tags::hole_requires_cap_t, CGAL_NP_CLASS> Pack;
-      return certified_bspline_shell_3<ConcurrencyTag>(mesh, Pack(requires_cap, np));
+      typedef BS::Named_parameters<std::decay_t<decltype(requires_cap)>, tags::hole_requires_cap_t, CGAL_NP_CLASS> Caps;
+      typedef BS::Named_parameters<double, tags::effort_limit_t, Caps> Pack;
+      const double effort = choose_parameter(get_parameter(np, tags::effort_limit),
+                                             BS::Refinement_parameters().max_cells);
+      return certified_bspline_shell_3<ConcurrencyTag>(mesh, Pack(excision.effort * effort, Caps(requires_cap, np)));
     };
     BS::internal::try_excision(soup, welded, excision, build_capped, result);
     if(result.excised || BS::internal::ends_all_attempts(result.excision_status)) return;

@@ -50,12 +50,15 @@ with tempfile.TemporaryDirectory() as folder:
     assert refined["status"] == "certified" and refined["rounds"] > 0, refined
     assert {"eight.shell", "eight.shell.txt", "eight.mesh.off", "eight.certificate.txt"} <= set(os.listdir(folder))
 
-    # If the polygons are not a mesh, they get a proxy, unless it is disabled.
-    for options, status in ([], "certified"), (["--no-proxy"], "refused"):
-        bull, = run(os.path.join(meshes, "bull.off"), *options)
-        assert bull["status"] == status, bull
-        if not options:
-            assert bull["kind"] == "proxy" and bull["proxy"]["carried"] > 0.9 and "intersects itself" in bull["proxy"]["because"], bull
+    # If the polygons are not a mesh, triangles are excised or, if these are too many, the polygons get a proxy, unless
+    # it is disabled.
+    for name, kind, status in ("pig.off", "excised", "certified_except_excised"), ("degtri_sliding.off", "proxy", "certified"):
+        found, = run(os.path.join(meshes, name))
+        assert found["kind"] == kind and found["status"] == status and found["excision"]["excised"] > 0, found
+        if kind == "proxy":
+            assert found["proxy"]["carried"] > 0 and "intersects itself" in found["proxy"]["because"], found
+        refused, = run(os.path.join(meshes, name), "--no-proxy")
+        assert refused["status"] == "refused", refused
 
     # A plate is much thinner than the cells that the memory limit permits. The shell is thicker than requested, or
     # there is none.

@@ -206,9 +206,9 @@ private:
     std::string text;
     if(unite_report.status != Unite_status::NOT_TRIED) text = Bspline_shells::message(unite_report) + " ";
     if(mesh_status == Shell_status::SUCCESS) return text + shell_of_mesh.message();
-    const bool has_proxy = proxy_status != Shell_status::NOT_BUILT;
-    text += has_proxy ? internal::message_beside_proxy(mesh_status)
-                      : Bspline_shells::message(mesh_status, invalid_parameter);
+    const bool is_replaced = proxy_status != Shell_status::NOT_BUILT || excised;
+    text += is_replaced ? internal::message_beside_proxy(mesh_status)
+                        : Bspline_shells::message(mesh_status, invalid_parameter);
     if(near_duplicates > 0)
       text += " In the input, " + std::to_string(near_duplicates)
               + " points are closer to another point than 1e-6 of the bounding box: merge them.";
