@@ -65,9 +65,9 @@ namespace CGAL {
  *   \cgalNamedParamsEnd
  *   Others are those of `certified_soup_proxy_3()` and, for the shell of the mesh, those of
  *   `certified_bspline_shell_3()`. With `closing()`, nothing is welded or excised, as the border of the mesh must not
- *   change; without `virtual_closing()`, nothing is excised. The `time_limit()` applies to the mesh and the proxy
- * together; once it is reached, no further attempt begins. Limits of
- *   effort and memory apply to each attempt.
+ *   change; without `virtual_closing()`, nothing is excised. The `time_limit()` applies to the mesh, the meshes after
+ *   excision, and the proxy together; once it is reached, no further attempt begins. Limits of effort and memory apply
+ *   to each attempt; those after excision have a quarter of the limit of effort (`Excision_limits::effort`).
  * \return the shell and its kind. If neither shell is certified, the shell of the mesh is returned if it was built.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -145,7 +145,9 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
       typedef BS::Named_parameters<double, tags::effort_limit_t, Caps> Pack;
       const double effort = choose_parameter(get_parameter(np, tags::effort_limit),
                                              BS::Refinement_parameters().max_cells);
-      return certified_bspline_shell_3<ConcurrencyTag>(mesh, Pack(excision.effort * effort, Caps(requires_cap, np)));
+      // A limit that is rejected is named as it was passed.
+      const double part = effort > 0 ? excision.effort * effort : effort;
+      return certified_bspline_shell_3<ConcurrencyTag>(mesh, Pack(part, Caps(requires_cap, np)));
     };
     BS::internal::try_excision(soup, welded, excision, build_capped, result);
     if(result.excised || BS::internal::ends_all_attempts(result.excision_status)) return;

@@ -120,6 +120,22 @@ TEST_CASE("Shell of a soup: an open mesh is closed virtually, and wrongly orient
   CHECK(hollow.repairs.reversed_components);
 }
 
+TEST_CASE("Shell of a soup: a rejected parameter is named with its value, also if the polygons are no mesh")
+{
+  BS::Polygon_soup finned = soup_of(sphere(3));
+  finned.points.emplace_back(0, 0, 1.2);
+  finned.polygons.push_back({ finned.polygons[0][0], finned.polygons[0][1], finned.points.size() - 1 });
+  const auto check = [](const BS::Shell_of_soup_3& result, const std::string& name) {
+    CHECK(result.status() == BS::Shell_status::INVALID_PARAMETER);
+    CHECK(result.invalid_parameter.name == name);
+    CHECK(result.invalid_parameter.value == -1);
+    CHECK(contains(result.message(), name));
+  };
+  check(CGAL::certified_shell_of_soup_3(finned, parameters::relative_thickness(-1.)), "relative_thickness");
+  check(CGAL::certified_shell_of_soup_3(finned, parameters::effort_limit(-1.)), "effort_limit");
+  check(CGAL::certified_shell_of_soup_3(finned, parameters::largest_excised_share(-1.)), "largest_excised_share");
+}
+
 TEST_CASE("Shell of a soup: closed parts that are pushed into each other get a shell of their union")
 {
   const BS::Polygon_soup soup = soup_of(joined(sphere(3), sphere(2, 0.7, Point_3(1.1, 0.2, 0.1))));

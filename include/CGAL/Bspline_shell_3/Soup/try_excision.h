@@ -71,6 +71,7 @@ void try_excision(const Polygon_soup& soup, const std::optional<Welded_soup>& we
   const bool is_certified = excise_until_certified(excised, result.shell_of_excised, limits, build);
   result.excision_report = excised.report();
   result.excision_status = result.shell_of_excised.status();
+  if(!result.invalid_parameter) result.invalid_parameter = result.shell_of_excised.report().invalid_parameter;
   if(!is_certified) return;
   result.excised = std::make_shared<const Excised_soup_3>(std::move(excised));
   if(!welded) return;
