@@ -55,7 +55,7 @@ class Files:
         self.certificate, self.certificate_sum = self.read(prefix + ".certificate.txt")
         self.points, self.facets = self.read_mesh(prefix + ".mesh.off")
         self.user = self.read_mesh(prefix + ".user.off") if os.path.exists(prefix + ".user.off") else None
-        # for each of these soups, its triangles as coordinates of the corners
+        # the triangles of these soups, as coordinates of the corners
         self.excision = os.path.exists(prefix + ".soup.off") and {
             name: triangles_of(*self.read_mesh("%s.%s.off" % (prefix, name))) for name in EXCISION}
 
@@ -1478,7 +1478,7 @@ WAVES = [({}, ACCEPTED), ({"outer_wave": 0.3}, ACCEPTED), ({"outer_wave": 1.2}, 
          ({"inner_wave": 0.6}, STEEP), ({"outer_wave": 0.5}, ACCEPTED), ({"outer_wave": 0.5, "axes": (0, 1, 2)}, STEEP),
          ({"outer_wave": 0.3, "unit": 1e-170}, ACCEPTED), ({"outer_wave": 1.2, "unit": 1e-170}, STEEP)]
 # On small leaves, the slope of the outer threshold is at most four times the wave. A claim about the critical point at
-# the origin implies that the slope of f is at least 0.6 / |x|, which is 0.424 where |x|^2 = 2, and less beyond.
+# the origin implies that the slope of f is at least 0.6 / |x|. This is 0.424 where |x|^2 = 2, and less beyond.
 CENTERS = [({"by_center": True, "outer_wave": 0.1}, ACCEPTED),
            ({"by_center": True, "outer_wave": 0.106}, (1, "has no critical point in the shell on the box, and is steeper")),
            ({"by_center": True, "inner_wave": 0.2}, ACCEPTED)]

@@ -1,4 +1,4 @@
-// An excised soup consists of the mesh of the kept triangles and of the excised triangles, and knows their contact.
+// An excised soup consists of the mesh of the kept triangles and of the excised triangles, with their contact.
 #include <CGAL/Bspline_shell_3/Soup/Excised_soup_3.h>
 #include "excised_soups.h"
 

@@ -1,4 +1,4 @@
-// Few triangles are excised: those that prevent the others from being an embedded manifold that can be closed.
+// Few triangles are excised, and the others are an embedded manifold that can be closed.
 #include <CGAL/Bspline_shell_3/Soup/check_excision.h>
 #include <CGAL/Bspline_shell_3/Soup/choose_excision.h>
 #include "excised_soups.h"
@@ -18,7 +18,7 @@ namespace {
 using namespace excised_soups;
 typedef BS::Excision_reason Reason;
 
-// Returns the excision, after checking all that holds for each result.
+// Returns the excision, and checks the properties of all results.
 BS::Excised_soup_3 checked(const BS::Polygon_soup& soup)
 {
   BS::Excised_soup_3 result = chosen(soup);
@@ -51,7 +51,7 @@ TEST_CASE("Choice of an excision: points at one place are one, duplicates are re
 {
   BS::Polygon_soup soup;
   add_triangle(soup, Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0));
-  add_triangle(soup, Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 0)); // the same, from another corner
+  add_triangle(soup, Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 0)); // equal, but it begins at another corner
   add_triangle(soup, Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(0, 1, 0));
   soup.polygons.push_back({ 6, 6, 7 }); // no triangle
   soup.points.insert(soup.points.end(), { Point_3(2, 0, 0), Point_3(2, 1, 0) });

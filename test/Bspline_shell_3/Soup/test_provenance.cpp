@@ -1,7 +1,8 @@
-// The provenance names what was done to each polygon of a soup.
+// The provenance is the change that was made to each polygon of a soup.
 #include <CGAL/Bspline_shell_3/Soup/provenance.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/certified_shell_of_soup_3.h>
+#include "excised_soups.h"
 #include "test_meshes.h"
 
 #include <algorithm>
@@ -15,17 +16,7 @@ namespace {
 namespace BS = CGAL::Bspline_shells;
 namespace parameters = CGAL::Bspline_shells::parameters;
 typedef BS::Polygon_change Change;
-
-BS::Polygon_soup soup_of(const Mesh& mesh)
-{
-  BS::Polygon_soup soup;
-  for(auto v : mesh.vertices()) soup.points.push_back(mesh.point(v));
-  for(auto f : mesh.faces()) {
-    soup.polygons.emplace_back();
-    for(auto v : mesh.vertices_around_face(mesh.halfedge(f))) soup.polygons.back().push_back(std::size_t(v));
-  }
-  return soup;
-}
+using excised_soups::soup_of;
 
 std::size_t number_of(const std::vector<Change>& changes, Change change)
 {

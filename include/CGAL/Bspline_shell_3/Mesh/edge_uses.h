@@ -26,10 +26,8 @@ struct Edge_use
   std::size_t lower, upper, polygon, lower_corner, upper_corner;
   bool is_forward;
 
-  std::size_t first_corner() const
-  {
-    return is_forward ? lower_corner : upper_corner;
-  } // first corner of the polygon's side
+  // Returns the first corner of the polygon's side.
+  std::size_t first_corner() const { return is_forward ? lower_corner : upper_corner; }
   bool has_same_edge(const Edge_use& other) const { return lower == other.lower && upper == other.upper; }
   bool operator<(const Edge_use& other) const
   {

@@ -97,7 +97,7 @@ public:
     sort_unique(m_border_vertices);
   }
 
-  const Numbered_complex& kept() const { return m_kept; } // in the orientation of the mesh
+  const Numbered_complex& kept() const { return m_kept; } // oriented like the mesh
   const Numbered_complex& excised() const { return m_excised; }
   const std::vector<Edge>& border() const { return m_border; }
   bool is_contact(std::size_t v) const { return m_kept.has_vertex(v) && m_excised.has_vertex(v); }
@@ -393,7 +393,7 @@ private:
   const Excised_soup_3& m_soup;
   const Mesh& m_mesh;
   const Excised_parts m_parts;
-  std::size_t m_size;                // of the points of the soup
+  std::size_t m_size;                // number of points of the soup
   std::vector<std::size_t> m_number; // by vertex of the mesh
   Excision_verdict m_verdict;
 };

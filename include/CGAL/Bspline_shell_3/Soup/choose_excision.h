@@ -41,13 +41,18 @@ Soup_triangles different_triangles(Polygon_soup soup);
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief excises triangles of a soup, of small total area, so that the others form an oriented manifold mesh without
- * self-intersections whose border can be closed at each of its vertices.
+ * \brief excises triangles of small total area, so that the others form an oriented manifold mesh without
+ * self-intersections. Its border can be closed at each vertex.
  *
- * The excised triangles are those without area, one of each two triangles that intersect, all but two triangles at each
- * edge, all but one fan at each vertex, and the smaller triangle at edges where orientations contradict each other. If
- * the cone margin of a border vertex or a pin is too small, its triangles are excised, too. So are small pieces that
- * are no longer connected to their component. Components without such defects are kept.
+ * Triangles are excised
+ * - if they have no area;
+ * - if they intersect others (one of each two triangles);
+ * - at edges with more than two triangles (all but two), and at vertices with several fans (all but one);
+ * - at edges where orientations contradict each other (the smaller triangle);
+ * - at border vertices and pins whose cone margin is too small;
+ * - in small pieces that are no longer connected to their component.
+ *
+ * Components without such defects are kept.
  *
  * \param soup the triangles, as returned by `different_triangles()`
  * \cgalHeading{Cost} That of finding all pairs of triangles that intersect
@@ -57,7 +62,7 @@ Excised_soup_3 choose_excision(Soup_triangles soup, const Excision_parameters& p
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief excises further triangles, and then those that `choose_excision()` would excise for this reason.
+ * \brief excises further triangles, and then those at vertices and in pieces that are defective without them.
  *
  * \param soup a result of `choose_excision()` or of this function
  * \param triangles triangles to excise

@@ -98,10 +98,10 @@ CGAL_BSPLINE_SHELL_3_INLINE std::vector<Polygon_change> provenance(const Polygon
 
   Polygon_soup tidy = soup;
   Soup_repairs repairs;
-  std::vector<char> is_represented(size, 1);
-  for(std::size_t n : internal::tidy_polygons(tidy, repairs).polygon_of) is_represented[n] = 0;
+  std::vector<char> is_left_out(size, 1);
+  for(std::size_t n : internal::tidy_polygons(tidy, repairs).polygon_of) is_left_out[n] = 0;
   for(std::size_t n = 0; n < size; ++n) {
-    if(is_represented[n]) change[n] = Polygon_change::DUPLICATE;
+    if(is_left_out[n]) change[n] = Polygon_change::DUPLICATE;
     if(internal::is_collinear(soup, n)) change[n] = Polygon_change::NO_AREA;
   }
 

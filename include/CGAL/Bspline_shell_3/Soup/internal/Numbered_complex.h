@@ -129,7 +129,7 @@ private:
     return std::size_t(range.second - range.first);
   }
 
-  std::vector<Facet> m_facets, m_sorted; // in order; with sorted vertices, sorted
+  std::vector<Facet> m_facets, m_sorted; // m_sorted has sorted facets with sorted vertices
   std::vector<std::size_t> m_vertices;
   std::vector<Edge> m_edges, m_directed;
 };

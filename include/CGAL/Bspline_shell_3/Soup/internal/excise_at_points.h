@@ -75,8 +75,8 @@ inline std::vector<Triangle_fan> fans_at(std::size_t point, const Excision_state
   return fans;
 }
 
-// Excises triangles at points where the kept triangles form several fans, where no closing completes a fan to a regular
-// vertex, and where a vertex that must not move is nearly singular.
+// Excises triangles at points of three kinds: the kept triangles form several fans; no closing completes the fan to a
+// regular vertex; or a vertex that must not move is nearly singular.
 class Point_excision
 {
 public:
