@@ -88,6 +88,22 @@ TEST_CASE("Choice of an excision: of three facets at an edge, the flattest two o
   CHECK(checked(soup).excised_triangles() == std::vector<std::size_t>{ 1 });
 }
 
+TEST_CASE("Choice of an excision: a large triangle at an edge or a vertex of small facets is excised, not these")
+{
+  const Mesh fine = sphere(3);
+  const std::size_t size = fine.number_of_faces();
+  const auto h = fine.halfedge(Mesh::Face_index(0));
+  const Point_3 p = fine.point(fine.source(h)), q = fine.point(fine.target(h));
+  for(double z : { 2., -2. }) { // outside, or through the opposite side
+    const Point_3 far = CGAL::ORIGIN + z * (p - CGAL::ORIGIN);
+    BS::Polygon_soup at_edge = soup_of(fine), at_vertex = at_edge;
+    add_triangle(at_edge, p, q, far);
+    add_triangle(at_vertex, p, far, CGAL::ORIGIN + z * (q - CGAL::ORIGIN));
+    for(const BS::Polygon_soup& soup : { at_edge, at_vertex })
+      CHECK(checked(soup).excised_triangles() == std::vector<std::size_t>{ size });
+  }
+}
+
 TEST_CASE("Choice of an excision: of two cubes with a common edge or vertex, one remains whole")
 {
   const Mesh cube = box(Point_3(0, 0, 0), Point_3(1, 1, 1));
@@ -134,6 +150,11 @@ TEST_CASE("Choice of an excision: one facet of each intersecting pair is excised
   BS::Polygon_soup stabbed = soup_of(sheet(steps(0, 1, 20), steps(0, 1, 20)));
   add_triangle(stabbed, Point_3(0.2, 0.41, -0.01), Point_3(0.8, 0.41, -0.01), Point_3(0.5, 0.41, 0.01));
   CHECK(checked(stabbed).excised_triangles() == std::vector<std::size_t>{ 800 });
+
+  // A stray triangle through one facet that has half its area and three neighbors.
+  BS::Polygon_soup pierced = soup_of(sheet(steps(0, 3, 3), steps(0, 3, 3)));
+  add_triangle(pierced, Point_3(1.2, 1.3, -1), Point_3(1.4, 1.3, -1), Point_3(1.3, 1.3, 9));
+  CHECK(checked(pierced).excised_triangles() == std::vector<std::size_t>{ 18 });
 }
 
 TEST_CASE("Choice of an excision: triangles that lie upon each other, or touch, intersect")

@@ -73,6 +73,27 @@ TEST_CASE("Excision until certified: no more than the allowed share of the area 
   CHECK(invalid.invalid_parameter.name == std::string("largest_excised_share"));
 }
 
+TEST_CASE("Excision until certified: nothing is tried if most facets are scattered")
+{
+  const auto number_of_shells = [](const Mesh& mesh) {
+    BS::Excised_soup_3 soup = chosen(soup_of(mesh));
+    std::size_t shells = 0;
+    Shell shell;
+    BS::excise_until_certified(soup, shell, BS::Excision_limits(), [&](const Mesh&, const auto&) {
+      ++shells;
+      return rejected(BS::Shell_status::CANCELED, {});
+    });
+    return shells;
+  };
+  BS::Polygon_soup scattered;
+  for(int n = 0; n < 3; ++n)
+    add_triangle(scattered, Point_3(2 * n, 0, 0), Point_3(2 * n + 1, 0, 0), Point_3(2 * n, 1, 0));
+  const Mesh triangles = mesh_of(scattered.points, scattered.polygons), square = sheet(steps(0, 1, 1), steps(5, 6, 1));
+  CHECK(number_of_shells(triangles) == 0);
+  CHECK(number_of_shells(joined(triangles, square)) == 0);
+  CHECK(number_of_shells(joined(triangles, sheet(steps(0, 2, 1), steps(5, 6, 1)))) == 1);
+}
+
 TEST_CASE("Excision until certified: more facets are excised each time that a place fails")
 {
   BS::Excised_soup_3 soup = chosen(soup_of(sphere(3)));

@@ -12,6 +12,7 @@
 #include <CGAL/Bspline_shell_3/Closing/internal/assemble_closing.h>
 #include <CGAL/Bspline_shell_3/Mesh/closable_fan.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
@@ -74,7 +75,7 @@ public:
   // Replaces caps until none intersects a facet. Attempts with different requirements begin with these caps.
   void cap_holes()
   {
-    while(m_caps.replace(intersections(m_caps.capped_mesh()))) {}
+    while(m_caps.replace(intersections(m_caps.capped_mesh()))) Run::poll();
   }
 
   // Replaces caps until all of them meet the requirements.
@@ -91,6 +92,7 @@ public:
     // Each round halves distances only at some vertices, so a mesh with successively narrower parts needs many rounds.
     constexpr int most_rounds = 40;
     for(int round = 0; round < most_rounds; ++round) {
+      Run::poll();
       Assembled_closing assembled = assemble_closing(m_mesh, m_caps, back);
       Closing_mesh whole(m_mesh);
       const auto attached = assembled.closing.attach(whole, whole.points());

@@ -44,11 +44,12 @@ Soup_triangles different_triangles(Polygon_soup soup);
  * \brief excises triangles of small total area, so that the others form an oriented manifold mesh without
  * self-intersections. Its border can be closed at each vertex.
  *
- * Triangles are excised
+ * Triangles are excised, in this order,
  * - if they have no area;
- * - if they intersect others (one of each two triangles);
- * - at edges with more than two triangles (all but two), and at vertices with several fans (all but one);
+ * - at edges with more than two triangles (all but two);
  * - at edges where orientations contradict each other (the smaller triangle);
+ * - at vertices with several fans (all but that of the largest piece);
+ * - if they intersect others (one of each two triangles, preferably such with few neighbors);
  * - at border vertices and pins whose cone margin is too small;
  * - in small pieces that are no longer connected to their component.
  *

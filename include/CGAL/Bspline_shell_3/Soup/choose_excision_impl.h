@@ -105,19 +105,19 @@ CGAL_BSPLINE_SHELL_3_INLINE Excised_soup_3 choose_excision(Soup_triangles soup, 
   const std::size_t size = soup.triangles.size();
   internal::Excision_state state(std::move(soup), std::vector<Excision_reason>(size, Excision_reason::KEPT),
                                  std::vector<char>(size, 0));
-  std::vector<char> has_no_area(size, 0);
   for(std::size_t t = 0; t < size; ++t) {
     const auto& c = state.soup.triangles[t];
     const auto& points = state.soup.points;
-    has_no_area[t] = CGAL::collinear(points[c[0]], points[c[1]], points[c[2]]);
-    if(has_no_area[t]) state.excise(t, Excision_reason::NO_AREA);
+    if(CGAL::collinear(points[c[0]], points[c[1]], points[c[2]])) state.excise(t, Excision_reason::NO_AREA);
   }
-  for(std::size_t t : internal::small_cover(internal::overlapping_triangles(state.soup, has_no_area), state.area))
-    state.excise(t, Excision_reason::INTERSECTING);
+  // Triangles that hang at edges and vertices are excised first, so that facets that they intersect remain.
   internal::excise_at_non_manifold_edges(state);
   internal::orient_or_excise(state);
   std::vector<std::size_t> all(state.soup.points.size());
   std::iota(all.begin(), all.end(), std::size_t(0));
+  internal::Point_excision(state, {}).run(all);
+  for(std::size_t t : internal::small_cover(internal::overlapping_triangles(state), internal::excision_costs(state)))
+    state.excise(t, Excision_reason::INTERSECTING);
   return internal::excise_until_stable(state, std::move(all), parameters);
 }
 

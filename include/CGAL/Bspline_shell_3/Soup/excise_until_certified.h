@@ -43,6 +43,8 @@ struct Excision_limits
 {
   /// largest fraction of the area that may be excised
   double share = 0.1;
+  /// largest fraction of the mesh area in facets that share no edge with another one
+  double isolated_share = 0.5;
   /// largest number of meshes that are tried. Growing rings around one place reach the limit of the area first.
   std::size_t attempts = 12;
   /// largest number of shells that are fitted
@@ -102,6 +104,20 @@ inline std::vector<Excised_soup_3::Mesh::Face_index> facets_on_wrong_side(const 
   return facets;
 }
 
+// Returns the area of the facets of a mesh that share no edge with another facet, as a fraction of its area.
+inline double share_of_isolated_facets(const Excised_soup_3::Mesh& mesh)
+{
+  double isolated = 0, total = 0;
+  for(auto f : mesh.faces()) {
+    const double area = Polygon_mesh_processing::face_area(f, mesh);
+    total += area;
+    const auto sides = mesh.halfedges_around_face(mesh.halfedge(f));
+    if(std::all_of(sides.begin(), sides.end(), [&](auto h) { return mesh.is_border(mesh.opposite(h)); }))
+      isolated += area;
+  }
+  return total > 0 ? isolated / total : 0;
+}
+
 // Tries shells of the mesh of an excised soup, and excises more where they fail.
 template <typename Shell>
 class Excision_attempts
@@ -116,6 +132,8 @@ public:
   template <typename Build>
   bool run(const Build& build)
   {
+    // Scattered triangles are not a surface, and each attempt would close them one by one.
+    if(share_of_isolated_facets(m_soup.mesh()) > m_limits.isolated_share) return false;
     for(; m_attempts < m_limits.attempts; ++m_attempts) {
       Run::poll();
       if(!m_soup || m_soup.report().excised_area > m_limits.share) return false;
@@ -222,7 +240,7 @@ private:
  * If the mesh cannot be closed, the facets at which this fails are excised. If the same place fails again, rings of
  * facets around it are excised, too, one more each time. If a shell is not certified because of a few places, the
  * facets there are excised, too. Components that face the wrong side are reversed. If this is impossible because they
- * are open, they are excised.
+ * are open, they are excised. Nothing is tried if most of the mesh is scattered facets without neighbors.
  *
  * \tparam Build a function that returns the `Shell` of an `Excised_soup_3::Mesh`. Its second argument is a function
  *   that returns whether the hole at a point has to be capped (`hole_requires_cap`).

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <deque>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -80,8 +81,11 @@ inline std::vector<Triangle_fan> fans_at(std::size_t point, const Excision_state
 class Point_excision
 {
 public:
-  Point_excision(Excision_state& state, double least_cone_margin)
-    : m_state(state), m_least_cone_margin(least_cone_margin), m_waits(state.soup.points.size(), 0)
+  // \param least_cone_margin if it is missing, only points with several fans are examined
+  Point_excision(Excision_state& state, std::optional<double> least_cone_margin)
+    : m_state(state), m_pieces(connected_triangles(
+                        state, [&](std::size_t t) { return state.is_kept(t); }, 2)),
+      m_least_cone_margin(least_cone_margin), m_waits(state.soup.points.size(), 0)
   {}
 
   // Examines points, and all points of triangles that are excised.
@@ -115,12 +119,14 @@ private:
     const std::vector<Triangle_fan> fans = fans_at(point, m_state);
     if(fans.empty()) return;
     if(fans.size() > 1) {
-      const auto largest = std::max_element(
-        fans.begin(), fans.end(), [](const Triangle_fan& a, const Triangle_fan& b) { return a.area < b.area; });
+      const auto largest = std::max_element(fans.begin(), fans.end(), [&](const auto& a, const auto& b) {
+        return std::make_pair(area_of_piece(a), a.area) < std::make_pair(area_of_piece(b), b.area);
+      });
       for(const Triangle_fan& fan : fans)
         if(&fan != &*largest) excise(fan, Excision_reason::NON_MANIFOLD);
       return;
     }
+    if(!m_least_cone_margin) return;
     const Triangle_fan& fan = fans.front();
     if(!fan.is_closed) {
       if(!is_closable(point, fan)) excise(fan, Excision_reason::STEEP_BORDER);
@@ -131,6 +137,9 @@ private:
   {
     for(std::size_t t : fan.triangles) m_state.excise(t, reason);
   }
+
+  // Returns the area of the piece to which a fan belonged at first. A large triangle may stick out of fine facets.
+  double area_of_piece(const Triangle_fan& fan) const { return m_pieces.area[m_pieces.set_of[fan.triangles.front()]]; }
 
   bool is_in_contact(std::size_t point) const
   {
@@ -147,8 +156,8 @@ private:
     cone.apex = points[point];
     for(std::size_t n = 0; n + 1 < fan.link.size(); ++n)
       cone.wings.emplace_back(points[fan.link[n]], points[fan.link[n + 1]]);
-    const auto margin = bounded_cone_margin(cone, m_least_cone_margin);
-    return margin && *margin >= m_least_cone_margin;
+    const auto margin = bounded_cone_margin(cone, *m_least_cone_margin);
+    return margin && *margin >= *m_least_cone_margin;
   }
 
   bool is_closable(std::size_t point, const Triangle_fan& fan) const
@@ -160,7 +169,8 @@ private:
   }
 
   Excision_state& m_state;
-  double m_least_cone_margin;
+  Triangle_sets m_pieces; // before any excision at points
+  std::optional<double> m_least_cone_margin;
   std::deque<std::size_t> m_queue;
   std::vector<char> m_waits; // by point: whether it is in the queue
 };
