@@ -1083,15 +1083,16 @@ Field scaled(Field field, int exponent)
   return field;
 }
 
-// Compares a certificate with the one for the same mesh and an unscaled field and thresholds. The scale is 2^exponent.
+// Compares a certificate with that of a shell whose gradients and coordinates are smaller by factors 2^exponent and
+// 2^size.
 template <typename Any_certificate>
-void check_is_scaled(const Any_certificate& certificate, const Any_certificate& reference, int exponent)
+void check_is_scaled(const Any_certificate& certificate, const Any_certificate& reference, int exponent, int size = 0)
 {
   for(int c = 0; c < 5; ++c) CHECK(certificate.verdict(Claim(c)) == reference.verdict(Claim(c)));
   CHECK(certificate.least_angle() == reference.least_angle());
   CHECK(certificate.least_gradient() == std::ldexp(reference.least_gradient(), exponent));
   CHECK(certificate.report().largest_gradient == std::ldexp(reference.report().largest_gradient, exponent));
-  CHECK(certificate.displacement_bound() == reference.displacement_bound());
+  CHECK(certificate.displacement_bound() == std::ldexp(reference.displacement_bound(), size));
   CHECK(certificate.statistics().cover_boxes == reference.statistics().cover_boxes);
   CHECK(certificate.statistics().critical_boxes == reference.statistics().critical_boxes);
   CHECK(certificate.statistics().undecided_boxes == reference.statistics().undecided_boxes);
@@ -1166,6 +1167,34 @@ TEST_CASE("Certificate: scaling field and varying thresholds by a power of two c
     const Varying_certificate certificate = certified(scaled_field, exponent);
     check_is_scaled(certificate, reference, exponent);
     CHECK(certificate.displacement_bounds<CGAL::Sequential_tag>() == displacements);
+  }
+}
+
+TEST_CASE("Certificate: powers of two scale bounds exactly, including those of facets that the predicates decide")
+{
+  // Values, slopes and second derivatives are between 2^-900 and 2^1000, beyond the documented range. At some vertices,
+  // the outer threshold exceeds the field by so little that only the predicates prove the claims on the facets there.
+  const auto certified = [](int exponent, int size) {
+    Field field = cube_field(4, std::ldexp(0.5, size));
+    set(field, [](double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); });
+    field = scaled(field, exponent);
+    const Mesh mesh = sphere(1, std::ldexp(1., size));
+    double largest = 0;
+    for(auto v : mesh.vertices()) largest = (std::max)(largest, *field.value(mesh.point(v)));
+    const auto level = [&](double x) { return std::ldexp(x, exponent + size); };
+    return certify(field, level(0.7), largest + level(7e-14), mesh);
+  };
+  const Certificate reference = certified(0, 0);
+  REQUIRE(reference.is_certified());
+  REQUIRE(reference.statistics().transversality.by_form > 0);
+  for(int size : { -190, -67, 0, 67, 190 })
+    for(int exponent : { -710, -251, 0, 2, 307, 810 }) {
+      CAPTURE(size, exponent);
+      check_is_scaled(certified(exponent, size), reference, exponent, size);
+    }
+  for(int exponent : { -900, 1000 }) {
+    CAPTURE(exponent);
+    check_is_scaled(certified(exponent, 0), reference, exponent);
   }
 }
 } // namespace test_Shell_certificate_3

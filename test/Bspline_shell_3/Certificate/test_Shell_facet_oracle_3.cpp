@@ -300,19 +300,39 @@ TEST_CASE("Facet oracle: a facet that is wrongly cleared by an estimate is rejec
   CHECK(Oracle(shell, BS::Facet_proofs::ALL)(p, q, r) == Placement_verdict::FACES_AWAY);
 }
 
-TEST_CASE("Facet oracle: scaling the field by a power of two does not change the answers")
+TEST_CASE("Facet oracle: scaling the gradient and the coordinates by powers of two does not change the answers")
 {
-  for(int exponent : { -900, -535, 0, 524, 900 }) {
-    CAPTURE(exponent);
+  // Values, slopes and second derivatives are between 2^-920 and 2^1000.
+  const auto check = [](int exponent, int size) {
+    CAPTURE(exponent, size);
     const double scale = std::ldexp(1., exponent);
+    Frame frame;
+    frame.scale = std::ldexp(1., size);
+    const auto moved = [&](const Point_3& p) {
+      return Point_3(frame.scale * p.x(), frame.scale * p.y(), frame.scale * p.z());
+    };
+    const auto moved_band = [&](std::initializer_list<double> degrees) {
+      std::vector<Point_3> link = band(degrees);
+      for(Point_3& p : link) p = moved(p);
+      return link;
+    };
     Polynomial scaled = squared_distance;
     for(Monomial& m : scaled) m.factor *= scale;
-    const auto shell = shell_of(uniform_field(scaled), 0.36 * scale, 0.6561 * scale);
-    const Oracle oracle(shell);
-    Oracle::Memory memory;
-    CHECK(oracle(pole, band({ 0, 60, 120, 180, 240, 300 }), memory) == Placement_verdict::ACCEPTED);
-    CHECK(oracle(pole, band({ 0, 120, 240 }), memory) == Placement_verdict::LEAVES_SHELL);
-    CHECK(oracle.winding_number(pole, band({ 0, 120, 240 })) == 1);
-  }
+    const auto shell = shell_of(uniform_field(scaled, frame), 0.36 * scale, 0.6561 * scale, frame);
+    const Point_3 p = moved(pole);
+    const std::vector<Point_3> close = moved_band({ 0, 60, 120, 180, 240, 300 }), wide = moved_band({ 0, 120, 240 });
+    for(BS::Facet_proofs proofs : { BS::Facet_proofs::ALL, BS::Facet_proofs::WHERE_DOUBTFUL }) {
+      const Oracle oracle(shell, proofs);
+      Oracle::Memory memory;
+      CHECK(oracle(p, close, memory) == Placement_verdict::ACCEPTED);
+      CHECK(oracle(p, wide, memory) == Placement_verdict::LEAVES_SHELL);
+      CHECK(oracle(p, close[0], close[1]) == Placement_verdict::ACCEPTED);
+      CHECK(oracle(p, close[1], close[0]) == Placement_verdict::FACES_AWAY);
+      CHECK(oracle.winding_number(p, wide) == 1);
+    }
+  };
+  for(int exponent : { -900, -535, 0, 524, 900 }) check(exponent, 0);
+  for(int size : { -190, 190 })
+    for(int exponent : { -720, 720 }) check(exponent, size);
 }
 } // namespace test_Shell_facet_oracle_3

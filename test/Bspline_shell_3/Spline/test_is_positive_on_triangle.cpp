@@ -120,4 +120,26 @@ TEST_CASE("Positive on a triangle: NaN and corners that are not positive are rej
   CHECK(is_positive_on_triangle({ 1e300, 1e300, 1e300 }, { 5e300, 5e300, 5e300 }));
   CHECK_FALSE(is_positive_on_triangle({ 1e300, 1e300, 1e300 }, { 7e300, 7e300, 7e300 }));
 }
+
+TEST_CASE("Positive on a triangle: scaling by a power of two does not change the answer, up to the last bit")
+{
+  // Answers change within rounding errors of the limit for a single edge, 2 (sqrt(g0) + sqrt(g1))^2.
+  CGAL::Random random(8);
+  int positive = 0, negative = 0;
+  for(int n = 0; n < 20000; ++n) {
+    const Numbers g = { random.get_double(0.1, 1), random.get_double(0.1, 1), 1 };
+    const double limit = 2 * std::pow(std::sqrt(g[0]) + std::sqrt(g[1]), 2);
+    const Numbers q = { -1, -1, limit * (1 - random.get_double(0, 1e-13)) };
+    const bool is_positive = is_positive_on_triangle(g, q);
+    for(int exponent : { -901, -900, -1, 1, 2, 900, 901 }) {
+      Numbers scaled_g = g, scaled_q = q;
+      for(double& x : scaled_g) x = std::ldexp(x, exponent);
+      for(double& x : scaled_q) x = std::ldexp(x, exponent);
+      CHECK(is_positive_on_triangle(scaled_g, scaled_q) == is_positive);
+    }
+    ++(is_positive ? positive : negative);
+  }
+  CHECK(positive > 1000);
+  CHECK(negative > 1000);
+}
 } // namespace test_is_positive_on_triangle

@@ -198,8 +198,8 @@ private:
     return BS::Spline_threshold<Field>(scaled(threshold.field(), exponent));
   }
 
-  // Scales the field and the thresholds by a power of two. Claims must be the same, and bounds scaled. Near the limits
-  // of the range of numbers, fewer claims may be proved, and the angle may be bounded on smaller parts.
+  // Scales the field and the thresholds by a power of two. Claims must be the same, and bounds scaled exactly. Near the
+  // limits of the range of numbers, fewer claims may be proved, and the angle may be bounded on smaller parts.
   void check_scaled(const Field& field, const Threshold& inner, const Threshold& outer, const Certificate& certificate)
   {
     const int exponent = m_random.get_int(-1050, 1000), size = std::ilogb(m_unit);
@@ -218,9 +218,13 @@ private:
       is_right = is_right
                  && (other.verdict(BS::Claim(c)) == certificate.verdict(BS::Claim(c))
                      || (!has_room && other.verdict(BS::Claim(c)) == Verdict::UNDECIDED));
-    if(has_room)
+    if(has_room) {
       is_right = is_right && other.least_gradient() == std::ldexp(certificate.least_gradient(), exponent)
-                 && other.least_angle() == certificate.least_angle();
+                 && other.least_angle() == certificate.least_angle()
+                 && other.displacement_bound() == certificate.displacement_bound();
+      for(std::size_t n = 0; n < certificate.facets().size(); ++n)
+        is_right = is_right && other.facets()[n].slope == std::ldexp(certificate.facets()[n].slope, exponent);
+    }
     m_tally.count(has_room ? "scaled_certificate" : "scaled_certificate_without_room", is_right,
                   "wrong after scaling by 2^" + std::to_string(exponent));
   }

@@ -64,6 +64,11 @@ namespace Bspline_shells {
  * the same certified shell are mapped onto each other. To compare certificates without a certified shell, see
  * `matches()`.
  *
+ * Results scale exactly with powers of two. If the field and the thresholds are multiplied by one, or all coordinates,
+ * verdicts and angles stay the same, and the other bounds are multiplied. This holds as long as neither numbers nor
+ * their rounding errors overflow or underflow: let the values of the field, also divided by the width of a cell once
+ * and twice, be between \f$2^{-800}\f$ and \f$2^{800}\f$.
+ *
  * \tparam Field_ a model of `BsplineField_3`
  * \tparam Threshold a model of `ShellThreshold`
  */

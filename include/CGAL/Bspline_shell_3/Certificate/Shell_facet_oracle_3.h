@@ -181,12 +181,14 @@ private:
   bool is_in_cells(const Sample& s) const { return s.cell != Field::npos && m_shell->shell_cells()[s.cell]; }
   bool is_in(const Sample& s) const { return is_in_cells(s) && s.above >= 0 && s.below >= 0; }
 
-  static Coordinates rounded_normal(const Point_3& p, const Point_3& q, const Point_3& r)
+  // Returns a normal, for edges in units of about the largest width of a cell. Otherwise, the product of the gradient
+  // and the normal, which has the size of squared edges, could underflow or overflow.
+  Coordinates rounded_normal(const Point_3& p, const Point_3& q, const Point_3& r) const
   {
     Coordinates u, v;
     for(int a = 0; a < 3; ++a) {
-      u[a] = q[a] - p[a];
-      v[a] = r[a] - p[a];
+      u[a] = m_unit * (q[a] - p[a]);
+      v[a] = m_unit * (r[a] - p[a]);
     }
     return internal::cross(u, v);
   }
@@ -224,6 +226,7 @@ private:
   Field_predicates_3<Field> m_predicates;
   std::shared_ptr<const Bounds> m_bounds;
   double m_largest_width = 0; // largest width of a cell
+  double m_unit;              // power of two; its product with the largest width is about one
 };
 
 template <typename Field, typename Threshold, typename ConcurrencyTag>
@@ -235,6 +238,7 @@ Shell_facet_oracle_3<Field, Threshold, ConcurrencyTag>::Shell_facet_oracle_3(con
 {
   for(Cell_index c = 0; c < shell.field().number_of_cells(); ++c)
     m_largest_width = (std::max)(m_largest_width, shell.field().cell(c).width());
+  m_unit = internal::reciprocal_power_of_two(m_largest_width);
 }
 
 template <typename Field, typename Threshold, typename ConcurrencyTag>

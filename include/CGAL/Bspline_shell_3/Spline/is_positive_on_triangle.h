@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_SPLINE_IS_POSITIVE_ON_TRIANGLE_H
 
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
+#include <CGAL/Bspline_shell_3/Support/power_of_two.h>
 
 #include <algorithm>
 #include <array>
@@ -47,10 +48,17 @@ inline bool is_positive_on_triangle(const std::array<double, 3>& g, const std::a
     are_positive = are_positive && a[v] > 0;
   }
   if(are_positive) return true;
+  // Square roots round differently after scaling by an odd power of two, so all numbers are scaled to unit size first.
+  const double unit = internal::reciprocal_power_of_two(g);
+  std::array<double, 3> root;
+  for(std::size_t v = 0; v < 3; ++v) {
+    if(!(unit * g[v] > internal::underflow)) return false;
+    root[v] = std::sqrt(unit * g[v]);
+  }
   constexpr double slack = 64 * rounding; // covers rounding of sums of a few numbers that are at most one
   double sum = 1 - slack, product = 2;
   for(std::size_t v = 0; v < 3; ++v) {
-    const double c = a[v] / (std::sqrt(g[(v + 1) % 3]) * std::sqrt(g[(v + 2) % 3])) - slack;
+    const double c = unit * a[v] / (root[(v + 1) % 3] * root[(v + 2) % 3]) - slack;
     if(!(c > -1)) return false;
     const double at_most_one = (std::min)(1., c); // smaller entries make the form smaller
     sum += at_most_one;

@@ -91,11 +91,12 @@ Facet_examination examine_facets(const Examined_shell<Field, Threshold>& shell,
         result.witnesses.push_back(w);
       };
       const auto h = mesh.halfedge(triangles[n]); // points to the second corner
-      const auto found = bounds.examine(
-        { samples(mesh.source(h), triangle[0]), samples(mesh.target(h), triangle[1]),
-          samples(mesh.target(mesh.next(h)), triangle[2]) },
-        facet_normal(triangle[0], triangle[1], triangle[2]), most_bisections,
-        (std::min)(slope_somewhere, result.least_slope)); // slopes above this value need no close bound
+      // Slopes above this value need no close bound.
+      const double close_slope = (std::min)(slope_somewhere, result.least_slope);
+      const auto found = bounds.examine({ samples(mesh.source(h), triangle[0]), samples(mesh.target(h), triangle[1]),
+                                          samples(mesh.target(mesh.next(h)), triangle[2]) },
+                                        facet_normal(triangle[0], triangle[1], triangle[2]), most_bisections,
+                                        close_slope);
       Witness w;
       verdicts[n].containment = Verdict::PROVED;
       if(!found.is_contained) {
@@ -106,7 +107,7 @@ Facet_examination examine_facets(const Examined_shell<Field, Threshold>& shell,
       verdicts[n].transversality = Verdict::PROVED;
       verdicts[n].slope = found.slope;
       if(!found.is_transversal) {
-        verdicts[n].slope = (std::min)(result.least_slope, 0.25);
+        verdicts[n].slope = close_slope;
         verdicts[n].transversality = shell.predicates.crosses_upwards(triangle, &w, &result.transversality,
                                                                       &verdicts[n].slope);
         if(verdicts[n].transversality != Verdict::PROVED) note(Claim::TRANSVERSALITY, verdicts[n].transversality, w);
