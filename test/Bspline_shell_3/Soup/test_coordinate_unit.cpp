@@ -26,9 +26,10 @@ TEST_CASE("Coordinate unit: that of decimal numbers is the last place of the lon
   CHECK(coordinate_unit({ Point_3(1.23456e-12, 1.2, -7.5) }) == Approx(1e-5));
 }
 
-TEST_CASE("Coordinate unit: numbers with all digits of a double have none")
+TEST_CASE("Coordinate unit: that of numbers with all digits of a double is the distance to the next one")
 {
-  CHECK(coordinate_unit({ Point_3(1. / 3, 1, 2) }) == 0);
+  CHECK(coordinate_unit({ Point_3(1. / 3, 1, 2) }) == std::ldexp(1, -51));
+  CHECK(coordinate_unit({ Point_3(1. / 3, 0, -1e300 / 3) }) == std::ldexp(1, 942));
   CHECK(coordinate_unit({ Point_3(0, 0, 0) }) == 0);
   CHECK(coordinate_unit({}) == 0);
 }

@@ -85,6 +85,12 @@ std::function<double(double)> to_near_float()
   };
 }
 
+// Returns a function that sometimes changes the last digit of a number.
+std::function<double(double)> to_near_double()
+{
+  return [random = std::mt19937(7)](double x) mutable { return random() % 4 == 0 ? std::nextafter(x, x + 1) : x; };
+}
+
 // Returns a function that rounds to decimal numbers, and sometimes changes their last digit.
 std::function<double(double)> to_near_decimal(int significant_digits)
 {
@@ -450,8 +456,8 @@ TEST_CASE("Weld: a tolerance that connects too many points welds nothing")
 
 TEST_CASE("Weld: a cube whose facets were rounded one by one is closed again")
 {
-  for(const BS::Polygon_soup& soup :
-      { rounded_facets(turned_cube(2), to_near_float()), rounded_facets(turned_cube(2), to_near_decimal(7)) }) {
+  for(const auto& round : { to_near_float(), to_near_decimal(7), to_near_double() }) {
+    const BS::Polygon_soup soup = rounded_facets(turned_cube(2), round);
     const BS::Shell_of_soup_3 result = repaired_and_welded(soup);
     REQUIRE(result.mesh_status == BS::Shell_status::SUCCESS);
     CHECK(CGAL::is_closed(result.repaired_mesh));

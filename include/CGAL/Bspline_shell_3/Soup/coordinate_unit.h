@@ -39,10 +39,11 @@ inline bool has_significant_digits(double x, int digits)
  * coordinates were stored.
  *
  * If all coordinates are values of `float`, this is the distance between two such values. Otherwise, it is the last
- * place of decimal numbers with the fewest significant digits that reproduce all coordinates.
+ * place of decimal numbers with the fewest significant digits that reproduce all coordinates. If they need all digits of
+ * a `double`, it is the distance between two values of `double`.
  *
  * \pre coordinates are finite
- * \return the distance; 0 if all coordinates are zero, or if they need all digits of a `double`
+ * \return the distance; 0 if all coordinates are zero
  */
 inline double coordinate_unit(const Polygon_soup::Points& points)
 {
@@ -64,7 +65,7 @@ inline double coordinate_unit(const Polygon_soup::Points& points)
     if(v % 1024 == 0) internal::Run::poll();
     for(int a = 0; a < 3; ++a)
       while(!internal::has_significant_digits(points[v][a], digits))
-        if(++digits > most_digits) return 0;
+        if(++digits > most_digits) return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
   }
   return std::pow(10., std::floor(std::log10(largest)) + 1 - digits);
 }

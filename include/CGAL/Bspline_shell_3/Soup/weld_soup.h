@@ -62,8 +62,7 @@ struct Weld_parameters
  *
  * *Close* means a distance of at most four units in which the coordinates are stored (`coordinate_unit()`). This
  * distance is reduced to 1/8 of the shortest edge of the adjacent polygons, and to 1/100 of the thickness. If the unit
- * is larger than 1/100 of the thickness, nothing is welded. The unit of coordinates with all digits of a `double` is
- * zero: then border vertices only split edges on which they lie exactly.
+ * is larger than 1/100 of the thickness, nothing is welded.
  *
  * A group of vertices, or a vertex and an edge, is left as it is
  * - if two vertices of the group are farther apart, even if each is close to others, or belong to one polygon;
