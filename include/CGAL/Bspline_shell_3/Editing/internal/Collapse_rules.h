@@ -58,9 +58,10 @@ public:
   {
     if(m_frozen.is_frozen(e)) return true;
     const bool is_at_closing = m_frozen.is_at_closing(e);
-    if(!is_at_closing && !get(m_constraints, e)) return false;
-    return (is_at_closing ? !m_border.may_change_at(e) : m_protects) || has_zero_edge(source(e, m_mesh))
-           || has_zero_edge(target(e, m_mesh));
+    const bool is_constrained_edge = is_constrained_on_mesh(halfedge(e, m_mesh));
+    if(!is_at_closing && !is_constrained_edge) return false;
+    return (is_at_closing && !m_border.may_change_at(e)) || (is_constrained_edge && m_protects)
+           || has_zero_edge(source(e, m_mesh)) || has_zero_edge(target(e, m_mesh));
   }
   std::size_t number_of_closing_facets() const { return m_frozen.number_of_closing_facets(); }
   // Returns these edges as a property map.
