@@ -138,7 +138,7 @@ double farthest(const Border& from, const Border& to)
   return largest;
 }
 
-// Simplifies a mesh, and checks what is promised about its border.
+// Simplifies a mesh, and checks the result and its border.
 Result simplify(Mesh& mesh, const Shell& shell, double tolerance)
 {
   const Mesh before = mesh;

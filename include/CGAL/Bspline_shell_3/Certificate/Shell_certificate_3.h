@@ -113,9 +113,9 @@ public:
   ///   certified with the mesh, and follow its facets. Tips that the shell truncates are truncated here as well, and
   ///   the triangles of discs follow those of the closing. Polygons are triangulated as for the construction of a
   ///   shell.
-  /// \param np `vertex_point_map`: a property map from the vertices of `mesh` to their points. `closing`: triangles that
-  ///   close the mesh if it is open, used instead of the shell's; a `Shell_closing_3` or a shared pointer to one, which
-  ///   may be null (`Edit_report::closing`).
+  /// \param np `vertex_point_map`: a property map from the vertices of `mesh` to their points. `closing`: triangles
+  ///   that close the mesh if it is open, used instead of the shell's; a `Shell_closing_3` or a shared pointer to one,
+  ///   which may be null (`Edit_report::closing`).
   /// \return `true` if all claims are proved
   template <typename ConcurrencyTag = Parallel_if_available_tag, typename PolygonMesh,
             typename CGAL_NP_TEMPLATE_PARAMETERS>

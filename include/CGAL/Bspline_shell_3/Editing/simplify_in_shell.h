@@ -116,13 +116,12 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *       \cgalParamDefault{`true`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{border_tolerance}
- *       \cgalParamDescription{if positive, the border of an open mesh is simplified within this distance, in the units of
- *         the coordinates: a border vertex without constrained edges may be merged into one of its neighbors along the
- *         border. The remaining border vertices do not move. Each removed vertex is within the distance of the border
- *         edge that replaces it, so that every point of each border is within the distance of the other border.
- *         `Edit_report::removed_border_edges` is the number of edges that the border loses. The result is certified with
- *         its own closing (`Edit_report::closing`), and the map to it is one-to-one except for strips along the border
- *         (\ref BsplineShell3OpenBorder). If 0, the border is kept, bit for bit.}
+ *       \cgalParamDescription{if positive, the border of an open mesh is simplified within this distance, in the units
+ *         of the coordinates. A border vertex without constrained edges may be merged into one of its neighbors along
+ *         the border; the remaining ones do not move. Every point of each border is within the distance of the other
+ *         border. `Edit_report::removed_border_edges` is the number of edges that the border loses. The result is
+ *         certified with its own closing (`Edit_report::closing`). The map to it is one-to-one except for strips along
+ *         the border (\ref BsplineShell3OpenBorder). If 0, the border is kept, bit for bit.}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{0}
  *     \cgalParamNEnd

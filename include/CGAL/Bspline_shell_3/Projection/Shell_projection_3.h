@@ -235,8 +235,8 @@ public:
   /// returns the differential of the flow from a point to its image, composed with that of the map from the truncated
   /// mesh to the mesh if tips are truncated. `Flow_differential::onto_plane()` with the facet's normal converts it to
   /// the differential of the projection, and `Flow_differential::onto_level_set()` to that onto a level set, which does
-  /// not jump between facets. For continued images, it is the differential of the orthogonal projection onto the plane
-  /// of their facet. If the point has no image, the status is that of the image.
+  /// not jump between facets. For a continued image, it is the differential of the orthogonal projection onto the plane
+  /// of the facet. If the point has no image, the status is that of the image.
   /// \pre `image` is the image of `p`
   template <typename Point>
   Flow_differential differential(const Point& p, const Image& image) const

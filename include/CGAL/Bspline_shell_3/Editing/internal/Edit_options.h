@@ -30,7 +30,7 @@ template <typename TriangleMesh>
 struct Edit_options
 {
   Edge_constraints<TriangleMesh> constraints;
-  std::shared_ptr<const Shell_closing_3> closing; // of the mesh if it is open; may be null
+  std::shared_ptr<const Shell_closing_3> closing; // closes the mesh if it is open; may be null
   double border_tolerance = 0;                    // the border is not simplified if it is 0
   bool freezes_rejected_facets = false;
   double max_seconds = std::numeric_limits<double>::infinity();

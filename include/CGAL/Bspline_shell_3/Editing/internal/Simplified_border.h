@@ -64,10 +64,8 @@ public:
   {
     const halfedge_descriptor other = other_on_border(h);
     Points points = replaced_points(other, h);
-    const bool is_reversed = m_frozen.closes(face(h, m_mesh));
-    if(is_reversed) std::reverse(points.begin(), points.end());
     m_replaced.erase(source(h, m_mesh));
-    m_replaced[is_reversed ? target(h, m_mesh) : source(other, m_mesh)] = std::move(points);
+    m_replaced[m_frozen.closes(face(h, m_mesh)) ? target(h, m_mesh) : source(other, m_mesh)] = std::move(points);
   }
 
   // Must be called when an edge collapse has put `v` in the place of `w`.
@@ -99,7 +97,7 @@ private:
   }
 
   // A collapse removes the two facets at an edge, and joins the two other sides of each. Returns whether both of these
-  // sides are on the border, so that the facets are all that is left of a hole or of a component.
+  // sides are on the border: the hole or the component would vanish.
   bool is_joined_by_collapse(halfedge_descriptor h) const
   {
     for(halfedge_descriptor g : { h, opposite(h, m_mesh) })
@@ -115,23 +113,17 @@ private:
     return to;
   }
 
-  // Returns the points that an edge from the source of `g` to the target of `h` would replace, in this order.
+  // Returns the points that one edge instead of two border edges would replace, in any order.
   // pre: the target of `g` is the source of `h`
   Points replaced_points(halfedge_descriptor g, halfedge_descriptor h) const
   {
-    Points points = replaced_points(g);
-    points.push_back(coordinates(source(h, m_mesh)));
-    const Points others = replaced_points(h);
-    points.insert(points.end(), others.begin(), others.end());
+    Points points = { coordinates(source(h, m_mesh)) };
+    for(halfedge_descriptor side : { g, h }) {
+      const auto found = m_replaced.find(m_frozen.closes(face(side, m_mesh)) ? target(side, m_mesh)
+                                                                             : source(side, m_mesh));
+      if(found != m_replaced.end()) points.insert(points.end(), found->second.begin(), found->second.end());
+    }
     return points;
-  }
-  // Returns the points that a border edge replaces.
-  Points replaced_points(halfedge_descriptor h) const
-  {
-    const bool is_reversed = m_frozen.closes(face(h, m_mesh));
-    const auto found = m_replaced.find(is_reversed ? target(h, m_mesh) : source(h, m_mesh));
-    if(found == m_replaced.end()) return Points();
-    return is_reversed ? Points(found->second.rbegin(), found->second.rend()) : found->second;
   }
 
   const TriangleMesh& m_mesh;
