@@ -83,11 +83,9 @@ TEST_CASE("Removed border points: every removed point must be within the distanc
 TEST_CASE("Removed border points: the square of the distance is not rounded up")
 {
   // 0.1 * 0.1 is rounded up by 8e-19, which is more than the square of 5e-10.
-  const Points bent = { { 0, 0, 0 }, { 1, 0.1, 5e-10 }, { 2, 0, 0 }, { 1, 3, 0 } },
-               flat = { { 0, 0, 0 }, { 1, 0.1, 0 }, { 2, 0, 0 }, { 1, 3, 0 } };
+  const Points bent = { { 0, 0, 0 }, { 1, 0.1, 5e-10 }, { 2, 0, 0 }, { 1, 3, 0 } };
   CHECK_FALSE(count({ bent }, { without(bent, { 1 }) }, 0.1));
   CHECK(count({ bent }, { without(bent, { 1 }) }, std::nextafter(0.1, 1.)) == 1);
-  CHECK(count({ flat }, { without(flat, { 1 }) }, 0.1) == 1);
 }
 
 TEST_CASE("Removed border points: distances are measured from segments, not from lines")
