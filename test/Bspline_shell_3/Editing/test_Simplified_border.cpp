@@ -252,6 +252,25 @@ TEST_CASE("Simplified borders: each closed curve of a border is kept")
   }
 }
 
+TEST_CASE("Simplified borders: a triangular hole in a flat square is kept, although the shell allows to close it")
+{
+  const Point_3 middle(0.5, 0.5, 0);
+  Mesh mesh = flat().mesh;
+  bool is_removed = false;
+  remove_facets(mesh, [&](const Point_3& p) {
+    const bool is_first = !is_removed && distance(p, middle) < 0.08;
+    is_removed = is_removed || is_first;
+    return is_first;
+  });
+  REQUIRE(border(mesh).size() == 48 + 3);
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh);
+  REQUIRE(shell.is_certified());
+  simplify(mesh, shell, 0.1);
+  std::size_t inside = 0;
+  for(const Point_3& p : border_points(mesh)) inside += distance(p, middle) < 0.25 ? 1 : 0;
+  CHECK(inside == 3);
+}
+
 TEST_CASE("Simplified borders: a hole with three edges and a single triangle keep their borders")
 {
   Mesh open = sphere(2);
