@@ -129,4 +129,45 @@ TEST_CASE("Projection target: tips of meshes with lazy coordinates are found by 
     CHECK((target.traced_vertices()[std::size_t(v)] == p) == !is_cut);
   }
 }
+
+TEST_CASE("Projection target: the nearest place on the border of a square, and the triangles of its closing")
+{
+  const Mesh mesh = sheet(steps(0, 1, 4), steps(0, 1, 4));
+  typedef BS::Shell_closing_3 Closing;
+  const auto tent = std::make_shared<const Closing>(
+    std::vector<Closing::Point>{ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.5, 0.5, -0.5 } }, 4,
+    std::vector<Closing::Triangle>{ { 1, 0, 4 }, { 2, 1, 4 }, { 3, 2, 4 }, { 0, 3, 4 } },
+    std::vector<Closing::Kind>(4, Closing::Kind::BACK));
+  const Target target(mesh, mesh.points(), nullptr, tent);
+  REQUIRE(target.is_valid());
+  CHECK(target.closing() == tent);
+  // the point, and the nearest point of the border
+  const std::vector<std::array<Coordinates, 2> > cases = {
+    { { { 0.3, 0.1, 0 }, { 0.3, 0, 0 } } },     { { { 0.3, -2, 5 }, { 0.3, 0, 0 } } },
+    { { { 0.875, 0.6, 0.1 }, { 1, 0.6, 0 } } }, { { { 2, 3, 1 }, { 1, 1, 0 } } },
+    { { { 0.2, 0.99, -0.3 }, { 0.2, 1, 0 } } }, { { { -1e-3, 0.25, 0 }, { 0, 0.25, 0 } } },
+  };
+  for(const auto& c : cases) {
+    const auto nearest = target.closest_on_border(c[0]);
+    REQUIRE(nearest.first < target.number_of_facets());
+    CHECK(distance(target.point(nearest.first, nearest.second), c[1]) < 1e-15);
+    double sum = 0;
+    for(double w : nearest.second) {
+      CHECK(w >= 0);
+      sum += w;
+    }
+    CHECK(sum == Approx(1));
+  }
+  const BS::Projection_facets_3& facets = target.closing_facets();
+  REQUIRE(facets.number_of_facets() == 4);
+  for(Target::Index f = 0; f < 4; ++f) {
+    CHECK(facets.neighbor(f, 0) == Target::npos);
+    CHECK(facets.neighbor(f, 1) == (f + 3) % 4);
+    CHECK(facets.neighbor(f, 2) == (f + 1) % 4);
+    CHECK(facets.vertex(f, 2) == tent->points()[4]);
+  }
+  CHECK(Target(mesh, mesh.points()).closing_facets().number_of_facets() == 0);
+  const Mesh closed = ball();
+  CHECK(Target(closed, closed.points(), nullptr, tent).closing_facets().number_of_facets() == 0);
+}
 } // namespace test_Projection_target_3

@@ -23,6 +23,7 @@
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/closing_argument.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
 #include <CGAL/Bspline_shell_3/Support/arithmetic_self_test.h>
@@ -113,11 +114,13 @@ public:
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
   /// \tparam PolygonMesh a model of `FaceListGraph`
-  /// \param mesh a closed mesh, or one with the border of the shell's closing. The triangles of the closing are
+  /// \param mesh a closed mesh, or one with the border of its closing. The triangles of the closing are
   ///   certified with the mesh, and follow its facets. Tips that the shell truncates are truncated here as well, and
   ///   the triangles of discs follow those of the closing. Polygons are triangulated as for the construction of a
   ///   shell.
-  /// \param np `vertex_point_map`: a property map from the vertices of `mesh` to their points
+  /// \param np `vertex_point_map`: a property map from the vertices of `mesh` to their points. `closing`: triangles
+  ///   that close the mesh if it is open, used instead of the shell's; a `Shell_closing_3` or a shared pointer to one,
+  ///   which may be null (`Edit_report::closing`).
   /// \return `true` if all claims are proved
   template <typename ConcurrencyTag = Parallel_if_available_tag, typename PolygonMesh,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -131,7 +134,8 @@ public:
     Input_mesh_3::Tolerated_defects tolerated;
     tolerated.self_intersections = tolerated.singular_vertices = tolerated.orientation = true;
     auto input = std::make_shared<Input_mesh_3>();
-    input->template build<ConcurrencyTag>(mesh, vpm, tolerated, m_closing, m_truncation);
+    input->template build<ConcurrencyTag>(mesh, vpm, tolerated, internal::closing_argument(np, m_closing),
+                                          m_truncation);
     return verify<ConcurrencyTag>(std::shared_ptr<const Input_mesh_3>(std::move(input)));
   }
 
@@ -155,9 +159,9 @@ public:
   }
 
   /// returns whether the integral curves map the mesh one-to-one onto the mesh of another certificate: the two are
-  /// certified, and their components lie in the same components of the shell. The verdict is undecided if one of them
-  /// is not certified, if their field objects or thresholds differ, or if all paths through some component are
-  /// degenerate.
+  /// certified, and their components lie in the same components of the shell. Open meshes are compared together with
+  /// their closings, which may differ (\ref BsplineShell3OpenBorder). The verdict is undecided if one of them is not
+  /// certified, if their field objects or thresholds differ, or if all paths through some component are degenerate.
   Verdict matches(const Shell_certificate_3& other) const
   {
     const bool is_same_shell = m_field == other.m_field && m_inner == other.m_inner && m_outer == other.m_outer;

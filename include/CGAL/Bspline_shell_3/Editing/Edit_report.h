@@ -9,11 +9,13 @@
 #include <CGAL/Bspline_shell_3/Certificate/Placement_verdict.h>
 #include <CGAL/Bspline_shell_3/Editing/Edit_termination.h>
 #include <CGAL/Bspline_shell_3/Editing/Edit_status.h>
+#include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
 #include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -41,7 +43,11 @@ struct Edit_report
   static constexpr std::size_t no_facet = std::size_t(-1); ///< an entry of `frozen_facets_before`
   std::size_t facets_before = 0, facets = 0;               ///< number of facets of the mesh before and after the edit
   std::size_t constrained_edges = 0;                       ///< number in the result; 0 if the mesh was not edited
-  Placement_statistics placements;                         ///< number of placements that were tried, by verdict
+  /// the triangles that close the result; null if it is closed or was not edited. Pass them to
+  /// `Shell_certificate_3::verify()`, `Shell_map_3`, and further edits (`closing`) if border edges were removed.
+  std::shared_ptr<const Shell_closing_3> closing;
+  std::size_t removed_border_edges = 0; ///< number of border edges that the result lacks (`border_tolerance`)
+  Placement_statistics placements;      ///< number of placements that were tried, by verdict
   /// the certificate of the result; with `PARTIALLY_EDITED`, not all of its claims are proved
   Certificate_report certificate;
   /// whether the edit was undone and repeated with a proof for each facet. In the first run, facets were accepted

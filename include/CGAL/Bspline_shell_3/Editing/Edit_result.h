@@ -41,8 +41,9 @@ struct Edit_result : Report
 
   /// locations where the integral curves through the original positions of the vertices of the original mesh meet the
   /// result, in the order of `vertices(mesh)`; computed with `locate_vertices(true)`. A location is the vertex's image
-  /// under the `Shell_map_3` from the original mesh to the result. The facet is null if no image was found. Empty if
-  /// the mesh was not edited.
+  /// under the `Shell_map_3` from the original mesh to the result. The facet is null if no image was found. If border
+  /// edges were removed, and a curve meets the closing of the result instead, the location is the nearest point of the
+  /// border. Empty if the mesh was not edited.
   std::vector<Location> locations;
 };
 

@@ -24,8 +24,8 @@ enum class Edit_status
   TIME_LIMIT_EXCEEDED,   ///< the time limit was reached before the result was certified
   NOT_FINITE,            ///< a coordinate is infinite or not a number
   NOT_TRIANGULATED,      ///< the mesh has no facets, or a facet that is not a triangle
-  OPEN_MESH,             ///< the mesh has a border, which is not that of the shell's closing
-  NOT_CLOSABLE,          ///< the mesh has the border of the shell's closing, but also an edge of the closing
+  OPEN_MESH,             ///< the mesh has a border, which is not that of its closing, by default the shell's
+  NOT_CLOSABLE,          ///< the mesh has the border of its closing, but also an edge of the closing
   /// a facet is not proved to lie in the shell and to face along the gradient, or the facets at a vertex do not wind
   /// around it once; also if the shell's truncation does not fit the mesh
   NOT_IN_SHELL,
@@ -57,11 +57,11 @@ inline const char* message(Edit_status status)
              "(CGAL::Polygon_mesh_processing::triangulate_faces).";
     case Edit_status::OPEN_MESH:
       return "The mesh is open, and its border is not that of the shell: close its holes "
-             "(CGAL::Polygon_mesh_processing::triangulate_hole), or use the shell of a mesh with the same border "
-             "(CGAL::certified_bspline_shell_3).";
+             "(CGAL::Polygon_mesh_processing::triangulate_hole), use the shell of a mesh with the same border "
+             "(CGAL::certified_bspline_shell_3), or pass the triangles that close the mesh (closing).";
     case Edit_status::NOT_CLOSABLE:
-      return "The mesh has the border of the shell, but also an edge of the triangles that close the shell: edit a "
-             "mesh without this edge.";
+      return "The mesh has the border of the triangles that close it, but also another edge of them: edit a mesh "
+             "without this edge.";
     case Edit_status::NOT_IN_SHELL:
       return "The mesh is not proved to lie in the shell and to face along the gradient at the listed facets and "
              "vertices: edit a mesh for which the shell is certified, or freeze these facets (freeze_rejected_facets).";

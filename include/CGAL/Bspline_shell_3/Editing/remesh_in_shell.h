@@ -65,7 +65,7 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *   of a kernel whose `FT` is `double`
  * \tparam Sizing `double`, or a function from points to `double`
  *
- * \param mesh a closed mesh in the shell, or a mesh with the border of `Bspline_shell_3::closing()`; often the mesh for
+ * \param mesh a closed mesh in the shell, or a mesh with the border of its closing (`closing`); often the mesh for
  *   which the shell was built. Unless it was edited, it is unchanged at the end. It may have been restored, in the
  *   cases and in the way that `simplify_in_shell()` describes. It was also restored if a length requested during the
  *   edit is invalid (`INVALID_PARAMETER`). Constrained edges that lead to a truncated tip end where the tip is cut off.
@@ -97,6 +97,12 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *       \cgalParamDescription{if `true`, constrained edges are neither split nor collapsed}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`, unlike in `simplify_in_shell()`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{closing}
+ *       \cgalParamDescription{triangles that close the mesh if it is open, used instead of the shell's; often
+ *         `Edit_report::closing` of an earlier edit}
+ *       \cgalParamType{`Shell_closing_3`, or a shared pointer to one, which may be null}
+ *       \cgalParamDefault{`Bspline_shell_3::closing()`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{freeze_rejected_facets}
  *       \cgalParamDescription{if `false`, a mesh with facets that are not proved to lie in the shell and to face along
@@ -177,10 +183,10 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
     return result;
   };
   result.facets_before = result.facets = faces(mesh).size();
-  const Edit_status usable = internal::check_before_edits(mesh, vpm, shell);
+  Options options = internal::edit_options<ConcurrencyTag, Options>(mesh, vpm, shell, np, result);
+  const Edit_status usable = internal::check_before_edits(mesh, vpm, shell, options.closing);
   if(usable != Edit_status::SUCCESS) return ended(usable);
 
-  Options options = internal::edit_options<ConcurrencyTag, Options>(mesh, vpm, shell, np, result);
   if constexpr(!is_default_parameter<CGAL_NP_CLASS, internal_np::edge_is_constrained_t>::value)
     static_assert(
       internal::is_writable_map<std::decay_t<decltype(get_parameter(np, internal_np::edge_is_constrained))> >,

@@ -63,7 +63,7 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph`, and `HalfedgeListGraph`; copyable, with points
  *   of a kernel whose `FT` is `double`
  *
- * \param mesh a closed mesh in the shell, or a mesh with the border of `Bspline_shell_3::closing()`; often the mesh for
+ * \param mesh a closed mesh in the shell, or a mesh with the border of its closing (`closing`); often the mesh for
  *   which the shell was built. Unless it was edited, it is unchanged at the end. After the statuses `NOT_CERTIFIED`,
  *   `TIME_LIMIT_EXCEEDED`, and `NOT_CLOSABLE`, it was restored; after `NOT_IN_SHELL`, it was restored if the shell
  *   truncates some of its tips, or if an estimate accepted all of its facets at first. The property maps of a restored
@@ -114,6 +114,22 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *         an edge of length zero is kept as long as the latter exists.}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`true`}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{border_tolerance}
+ *       \cgalParamDescription{if positive, the border of an open mesh is simplified within this distance, in the units
+ *         of the coordinates. A border vertex without constrained edges may be merged into one of its neighbors along
+ *         the border; the remaining ones do not move. Every point of each border is within the distance of the other
+ *         border. `Edit_report::removed_border_edges` is the number of edges that the border loses. The result is
+ *         certified with its own closing (`Edit_report::closing`). The map to it is one-to-one except for strips along
+ *         the border (\ref BsplineShell3OpenBorder). If 0, the border is kept, bit for bit.}
+ *       \cgalParamType{`double`}
+ *       \cgalParamDefault{0}
+ *     \cgalParamNEnd
+ *     \cgalParamNBegin{closing}
+ *       \cgalParamDescription{triangles that close the mesh if it is open, used instead of the shell's; often
+ *         `Edit_report::closing` of an earlier edit}
+ *       \cgalParamType{`Shell_closing_3`, or a shared pointer to one, which may be null}
+ *       \cgalParamDefault{`Bspline_shell_3::closing()`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{freeze_rejected_facets}
  *       \cgalParamDescription{if `false`, a mesh with facets that are not proved to lie in the shell and to face along
@@ -181,10 +197,12 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
                                           get_property_map(vertex_point, mesh));
   Simplification_result<TriangleMesh> result;
   result.facets_before = result.facets = faces(mesh).size();
-  result.status = internal::check_before_edits(mesh, vpm, shell);
+  Options options = internal::edit_options<ConcurrencyTag, Options>(mesh, vpm, shell, np, result);
+  result.status = internal::check_before_edits(mesh, vpm, shell, options.closing);
   if(result.status != Edit_status::SUCCESS) return result;
 
-  Options options = internal::edit_options<ConcurrencyTag, Options>(mesh, vpm, shell, np, result);
+  options.border_tolerance = choose_parameter(get_parameter(np, tags::border_tolerance), options.border_tolerance);
+  result.invalid_parameter.check("border_tolerance", options.border_tolerance, Parameter_bounds::not_negative());
   constexpr bool has_constraints = !is_default_parameter<CGAL_NP_CLASS, internal_np::edge_is_constrained_t>::value;
   if constexpr(has_constraints && !is_default_parameter<CGAL_NP_CLASS, internal_np::protect_constraints_t>::value) {
     static_assert(

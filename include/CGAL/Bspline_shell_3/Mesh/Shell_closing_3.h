@@ -75,6 +75,9 @@ public:
   std::size_t number_of_border_points() const { return m_border; }
   const std::vector<Triangle>& triangles() const { return m_triangles; }
   const std::vector<Kind>& kinds() const { return m_kinds; }
+  /// returns, for each border point, the next one along the border of the triangles, which lie on the left.
+  /// \pre `is_valid()`
+  std::vector<Index> next_border_points() const;
   /// returns whether the triangles can close a mesh: coordinates are finite, and triangles have different corners; each
   /// border point has one edge to the next border point, and all other edges have one triangle on each side; the
   /// triangles at each point form one fan
@@ -176,19 +179,26 @@ inline bool Shell_closing_3::can_close() const
   return true;
 }
 
+inline std::vector<Shell_closing_3::Index> Shell_closing_3::next_border_points() const
+{
+  std::unordered_map<std::uint64_t, char> is_open; // by directed edge
+  for(const Triangle& t : m_triangles)
+    for(int i = 0; i < 3; ++i) {
+      const Index p = t[i], q = t[(i + 1) % 3];
+      if(p < m_border && q < m_border && is_open.erase(key(q, p)) == 0) is_open.emplace(key(p, q), 1);
+    }
+  std::vector<Index> next(m_border, npos);
+  for(const auto& edge : is_open) next[edge.first >> 32] = Index(edge.first & npos);
+  return next;
+}
+
 template <typename FaceGraph, typename VertexPointMap>
 std::optional<std::unordered_map<std::uint64_t, typename boost::graph_traits<FaceGraph>::halfedge_descriptor> >
 Shell_closing_3::match_border(const FaceGraph& mesh, VertexPointMap vpm) const
 {
   typedef std::unordered_map<std::uint64_t, typename boost::graph_traits<FaceGraph>::halfedge_descriptor> Border;
   if(!is_valid()) return std::nullopt;
-  // The directed edges of the closing's border.
-  std::unordered_map<std::uint64_t, char> is_open;
-  for(const Triangle& t : m_triangles)
-    for(int i = 0; i < 3; ++i) {
-      const Index p = t[i], q = t[(i + 1) % 3];
-      if(p < m_border && q < m_border && is_open.erase(key(q, p)) == 0) is_open.emplace(key(p, q), 1);
-    }
+  const std::vector<Index> next = next_border_points();
   Border border;
   std::vector<char> is_met(m_border, 0);
   for(auto h : halfedges(mesh)) {
@@ -200,11 +210,11 @@ Shell_closing_3::match_border(const FaceGraph& mesh, VertexPointMap vpm) const
       if(ends[i] == npos) return std::nullopt;
     }
     // A border with a repeated point touches itself.
-    if(is_open.count(key(ends[0], ends[1])) == 0 || is_met[ends[0]]) return std::nullopt;
+    if(next[ends[0]] != ends[1] || is_met[ends[0]]) return std::nullopt;
     is_met[ends[0]] = 1;
     border.emplace(key(ends[0], ends[1]), h);
   }
-  if(border.size() != is_open.size()) return std::nullopt;
+  if(border.size() != next.size()) return std::nullopt;
   return border;
 }
 

@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_PROJECTION_PROJECTION_TARGET_3_H
 #define CGAL_BSPLINE_SHELL_3_PROJECTION_PROJECTION_TARGET_3_H
 
+#include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/replace_patches.h>
 #include <CGAL/Bspline_shell_3/Projection/Projection_facets_3.h>
@@ -17,8 +18,11 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <unordered_map>
 #include <utility>
@@ -48,14 +52,16 @@ public:
   typedef typename Graph_traits::face_descriptor face_descriptor;
 
   /// copies coordinates and neighbors. If a facet is not a triangle or a coordinate is not finite, the target is not
-  /// valid. If `truncation` truncates tips of the mesh, curves are traced to the truncated mesh.
+  /// valid. If `truncation` truncates tips of the mesh, curves are traced to the truncated mesh. `closing` may be null;
+  /// otherwise, curves that meet it instead of the mesh are detected (`closing_facets()`).
   /// \param vpm a model of `ReadablePropertyMap` from the mesh's vertices to points of a kernel
   /// \pre the mesh outlives this object and does not change. A mesh that stores its dynamic properties, such as a
   ///   `Surface_mesh`, must not be prepared by two threads at once.
   template <typename VertexPointMap>
   Projection_target_3(const TriangleMesh& mesh, VertexPointMap vpm,
-                      const std::shared_ptr<const Shell_truncation_3>& truncation = nullptr)
-    : m_mesh(&mesh), m_index(get(dynamic_face_property_t<Index>(), mesh))
+                      const std::shared_ptr<const Shell_truncation_3>& truncation = nullptr,
+                      const std::shared_ptr<const Shell_closing_3>& closing = nullptr)
+    : m_mesh(&mesh), m_index(get(dynamic_face_property_t<Index>(), mesh)), m_closing(closing)
   {
     for(face_descriptor f : faces(mesh)) {
       put(m_index, f, Index(m_faces.size()));
@@ -79,12 +85,13 @@ public:
     }
     if(!m_valid) return;
     if(truncation && truncation->is_valid()) truncate(truncation, vpm, facets);
+    if(m_closing && m_closing->is_valid() && !m_border.empty()) m_closing_facets = facets_of(*m_closing);
     static_cast<Projection_facets_3&>(*this) = Projection_facets_3(std::move(facets));
   }
 
   template <typename VertexPointMap>
-  Projection_target_3(const TriangleMesh&&, VertexPointMap,
-                      const std::shared_ptr<const Shell_truncation_3>& = nullptr) = delete;
+  Projection_target_3(const TriangleMesh&&, VertexPointMap, const std::shared_ptr<const Shell_truncation_3>& = nullptr,
+                      const std::shared_ptr<const Shell_closing_3>& = nullptr) = delete;
   Projection_target_3(const Projection_target_3&) = delete;
   Projection_target_3& operator=(const Projection_target_3&) = delete;
 
@@ -102,6 +109,36 @@ public:
     const auto found = m_border.find(p);
     return found == m_border.end() ? nullptr : &found->second;
   }
+  /// returns the place (facet and barycentric coordinates) of the border that is nearest to a point.
+  /// \pre the mesh is not closed
+  /// \cgalHeading{Cost} Linear in the length of the border.
+  std::pair<Index, Coordinates> closest_on_border(const Coordinates& p) const
+  {
+    std::pair<Index, Coordinates> nearest(npos, {});
+    double least = std::numeric_limits<double>::infinity();
+    for(const auto& pair : m_border) {
+      const int i = pair.second.vertex, j = (i + 1) % 3;
+      const Coordinates &source = pair.first, &target = vertex(pair.second.facet, j);
+      Coordinates edge, to;
+      for(int a = 0; a < 3; ++a) {
+        edge[a] = target[a] - source[a];
+        to[a] = p[a] - source[a];
+      }
+      const double length = internal::dot(edge, edge);
+      const double t = length > 0 ? (std::min)((std::max)(internal::dot(edge, to) / length, 0.), 1.) : 0;
+      for(int a = 0; a < 3; ++a) to[a] -= t * edge[a];
+      if(!(internal::dot(to, to) < least)) continue;
+      least = internal::dot(to, to);
+      nearest = { pair.second.facet, {} };
+      nearest.second[i] = 1 - t;
+      nearest.second[j] = t;
+    }
+    return nearest;
+  }
+  /// returns the closing that was passed to the constructor
+  const std::shared_ptr<const Shell_closing_3>& closing() const { return m_closing; }
+  /// returns the triangles of this closing; there are none if it is null or not valid, or if the mesh is closed
+  const Projection_facets_3& closing_facets() const { return m_closing_facets; }
   /// \name Truncation
   /// Curves are traced from and to the truncated mesh, which lies in the shell. If no tips are truncated, it is the
   /// mesh itself.
@@ -140,6 +177,23 @@ public:
   Index facet_of(face_descriptor f) const { return get(m_index, f); }
 
 private:
+  static Projection_facets_3 facets_of(const Shell_closing_3& closing)
+  {
+    std::unordered_map<std::uint64_t, Index> facet; // by directed edge
+    for(std::size_t n = 0; n < closing.triangles().size(); ++n)
+      for(int i = 0; i < 3; ++i)
+        facet.emplace(Shell_closing_3::key(closing.triangles()[n][i], closing.triangles()[n][(i + 1) % 3]), Index(n));
+    std::vector<Facet> facets(closing.triangles().size());
+    for(std::size_t n = 0; n < facets.size(); ++n)
+      for(int i = 0; i < 3; ++i) {
+        const auto p = closing.triangles()[n][i], q = closing.triangles()[n][(i + 1) % 3];
+        facets[n].vertex[i] = closing.points()[p];
+        const auto found = facet.find(Shell_closing_3::key(q, p));
+        facets[n].neighbor[i] = found == facet.end() ? npos : found->second;
+      }
+    return Projection_facets_3(std::move(facets));
+  }
+
   template <typename VertexPointMap>
   void truncate(const std::shared_ptr<const Shell_truncation_3>& truncation, VertexPointMap vpm,
                 const std::vector<Facet>& facets)
@@ -175,6 +229,8 @@ private:
   std::vector<face_descriptor> m_faces;
   std::vector<Coordinates> m_traced_vertices;
   std::unique_ptr<const internal::Truncated_facets> m_truncated; // null if nothing is replaced
+  std::shared_ptr<const Shell_closing_3> m_closing;
+  Projection_facets_3 m_closing_facets;
   std::unordered_map<Coordinates, Corner, internal::Hash_coordinates> m_border;
   bool m_valid = true;
 };

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_cover_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/match_components.h>
+#include <CGAL/Bspline_shell_3/Mesh/closing_argument.h>
 #include <CGAL/Bspline_shell_3/Projection/Gradient_flow_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_projection_3.h>
@@ -41,7 +42,7 @@ namespace Bspline_shells {
  *
  * If the two meshes are certified in the same certified shell (`Shell_certificate_3`), the map is one-to-one.
  * Certificates are not required, but the constructor compares the components of the meshes:
- * - Suppose that the shell is certified, and that each mesh is closed or is closed by `Bspline_shell_3::closing()`.
+ * - Suppose that the shell is certified, and that each mesh is closed or is closed by its closing.
  *   Each mesh must have a vertex in each component of the shell, or be crossed by the paths through this component.
  *   Otherwise, the status is `COMPONENTS_DIFFER`, and no points are mapped; if all paths through the component are
  *   degenerate, it is `COMPONENTS_UNKNOWN`.
@@ -87,6 +88,11 @@ public:
   ///     \cgalParamNBegin{vertex_point_map}
   ///       \cgalParamDescription{vertex point map of the source}
   ///     \cgalParamNEnd
+  ///     \cgalParamNBegin{closing}
+  ///       \cgalParamDescription{triangles that close the source, as for `Shell_projection_3`. If both meshes have the
+  ///         border of `Bspline_shell_3::closing()`, they need not be passed.}
+  ///       \cgalParamType{`Shell_closing_3`, or a shared pointer to one, which may be null}
+  ///     \cgalParamNEnd
   ///     \cgalParamNBegin{tolerance}
   ///       \cgalParamDescription{tolerance of the tracing in both directions, as for `Gradient_flow_3`, in the units of
   ///         the coordinates}
@@ -98,6 +104,9 @@ public:
   ///   \cgalNamedParamsBegin
   ///     \cgalParamNBegin{vertex_point_map}
   ///       \cgalParamDescription{vertex point map of the target}
+  ///     \cgalParamNEnd
+  ///     \cgalParamNBegin{closing}
+  ///       \cgalParamDescription{triangles that close the target}
   ///     \cgalParamNEnd
   ///   \cgalNamedParamsEnd
   template <typename T1 = bool, typename Tag1 = internal_np::all_default_t, typename Base1 = internal_np::No_property,
@@ -235,8 +244,14 @@ private:
     return are_shared ? Flow_status::SUCCESS : Flow_status::COMPONENTS_UNKNOWN;
   }
 
-  // Returns whether a mesh is closed, or is closed by the shell's closing. For other open meshes, crossings depend on
-  // the path.
+  // Returns the closing of a mesh: its own, or that of the shell. It may be null.
+  template <typename Target>
+  const std::shared_ptr<const Shell_closing_3>& closing_of(const Target& target) const
+  {
+    return target.closing() ? target.closing() : shell().closing();
+  }
+
+  // Returns whether a mesh is closed, or is closed by its closing. For other open meshes, crossings depend on the path.
   template <typename Target>
   bool is_closed(const Target& target) const
   {
@@ -254,8 +269,9 @@ private:
     const auto& traced = target.traced_facets();
     std::size_t number;
     const std::vector<typename Target::Index> component = traced.components(number);
+    const Shell_closing_3* closing = closing_of(target).get();
     const std::size_t facets = traced.number_of_facets(),
-                      all = facets + (traced.is_closed() ? 0 : shell().closing()->triangles().size());
+                      all = facets + (traced.is_closed() ? 0 : closing->triangles().size());
     const auto point = [](const Coordinates& p) { return Point(p[0], p[1], p[2]); };
     const Component_match match = match_components(
       paths, number + (all > facets ? 1 : 0), all,
@@ -263,7 +279,7 @@ private:
         std::array<Point, 3> t;
         for(int i = 0; i < 3; ++i)
           t[i] = n < facets ? point(traced.vertex(typename Target::Index(n), i))
-                            : point(shell().closing()->points()[shell().closing()->triangles()[n - facets][i]]);
+                            : point(closing->points()[closing->triangles()[n - facets][i]]);
         return t;
       },
       [&](std::size_t n) { return n < facets ? std::size_t(component[n]) : number; });
@@ -300,10 +316,10 @@ private:
   template <typename Target>
   bool has_border_of_closing(const Target& target) const
   {
-    if(!shell().closing()) return false;
-    const Shell_closing_3& closing = *shell().closing();
-    for(std::size_t n = 0; n < closing.number_of_border_points(); ++n)
-      if(!target.border_corner(closing.points()[n])) return false;
+    const Shell_closing_3* closing = closing_of(target).get();
+    if(!closing) return false;
+    for(std::size_t n = 0; n < closing->number_of_border_points(); ++n)
+      if(!target.border_corner(closing->points()[n])) return false;
     return true;
   }
 
@@ -318,8 +334,9 @@ private:
   {
     auto vpm = CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::vertex_point),
                                                   get_const_property_map(CGAL::vertex_point, mesh));
-    return Projection(shell, std::make_shared<const typename Projection::Target>(mesh, vpm, shell.truncation()),
-                      tolerance);
+    auto target = std::make_shared<const typename Projection::Target>(mesh, vpm, shell.truncation(),
+                                                                      internal::closing_argument(np, nullptr));
+    return Projection(shell, std::move(target), tolerance);
   }
 
   Projection_to_source m_to_source;

@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_PROJECTION_SHELL_PROJECTION_3_H
 #define CGAL_BSPLINE_SHELL_3_PROJECTION_SHELL_PROJECTION_3_H
 
+#include <CGAL/Bspline_shell_3/Mesh/closing_argument.h>
 #include <CGAL/Bspline_shell_3/Projection/Flow_status.h>
 #include <CGAL/Bspline_shell_3/Projection/Gradient_flow_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
@@ -58,7 +59,8 @@ struct Projected_point
   double error_of_inverse = 0;
   /// @}
   /// whether the image is the nearest point, because no curve leads to an image. Only projections between a polygon
-  /// soup and its proxy yield such images (`Soup_projection_3`, `Proxy_projection_3`).
+  /// soup and its proxy yield such images (`Soup_projection_3`, `Proxy_projection_3`), and projections onto an open
+  /// mesh with its closing (named parameter `closing`): if the curve meets the closing, the image is on the border.
   bool is_continued = false;
   /// whether the curve misses an open mesh by less than the tolerance, and the image was moved to the border
   bool is_snapped = false;
@@ -116,6 +118,13 @@ public:
   ///       \cgalParamDescription{as for the constructor below}
   ///       \cgalParamType{`double`}
   ///     \cgalParamNEnd
+  ///     \cgalParamNBegin{closing}
+  ///       \cgalParamDescription{triangles that close the mesh (`Edit_report::closing`). A point whose curve meets them
+  ///         instead of the mesh is mapped to the nearest point of the border, and the image is marked
+  ///         (`Projected_point::is_continued`).}
+  ///       \cgalParamType{`Shell_closing_3`, or a shared pointer to one, which may be null}
+  ///       \cgalParamDefault{none: such a point has no image}
+  ///     \cgalParamNEnd
   ///   \cgalNamedParamsEnd
   /// \pre `shell` and `mesh` outlive this object and do not change
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -127,7 +136,7 @@ public:
         mesh,
         CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::vertex_point),
                                            get_const_property_map(CGAL::vertex_point, mesh)),
-        shell.truncation()),
+        shell.truncation(), internal::closing_argument(np, nullptr)),
       CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, parameter_tags::tolerance), 0.))
   {}
 
@@ -182,11 +191,9 @@ public:
       if(const auto* corner = m_target->border_corner(start)) {
         const Point_3 point(start[0], start[1], start[2]);
         if(m_shell->bounded_side(point) != ON_UNBOUNDED_SIDE) {
-          image.status = Flow_status::SUCCESS;
-          image.location.first = m_target->face_of(corner->facet);
-          image.location.second[corner->vertex] = 1;
-          image.point = point;
-          image.value = m_shell->field().cell(m_shell->field().locate(point)).value(point);
+          Coordinates weights = {};
+          weights[corner->vertex] = 1;
+          place(image, { corner->facet, weights });
           return image;
         }
       }
@@ -194,7 +201,8 @@ public:
     const typename Target::Index near = hint.facet < m_target->traced_facets().number_of_facets() ? hint.facet
                                                                                                   : Target::npos;
     image.status = internal::Facet_on_curve<Shell>(*m_shell, m_target->traced_facets(), m_tolerance)(start, near, hit);
-    if(image.status != Flow_status::SUCCESS) return image;
+    if(image.status == Flow_status::LEAVES_SHELL) continue_at_border(image, start);
+    if(image.status != Flow_status::SUCCESS || image.is_continued) return image;
     hint.facet = hit.facet;
 
     Coordinates weights = hit.barycentric;
@@ -227,18 +235,48 @@ public:
   /// returns the differential of the flow from a point to its image, composed with that of the map from the truncated
   /// mesh to the mesh if tips are truncated. `Flow_differential::onto_plane()` with the facet's normal converts it to
   /// the differential of the projection, and `Flow_differential::onto_level_set()` to that onto a level set, which does
-  /// not jump between facets. If the point has no image, the status is that of the image.
+  /// not jump between facets. For a continued image, it is the differential of the orthogonal projection onto the plane
+  /// of the facet. If the point has no image, the status is that of the image.
   /// \pre `image` is the image of `p`
   template <typename Point>
   Flow_differential differential(const Point& p, const Image& image) const
   {
     if(!image) return internal::no_differential(image.status);
+    if(image.is_continued)
+      return internal::orthogonal_differential(m_target->normal(m_target->facet_of(image.location.first)));
     Flow_differential d = Gradient_flow_3<Shell>(*m_shell, m_tolerance).differential(p, image.value);
     d.prepend_to_end(m_target->traced_derivative(m_target->facet_of(image.location.first), image.location.second));
     return d;
   }
 
 private:
+  // Sets an image to a place on the mesh.
+  // pre: the place is in the shell
+  void place(Image& image, const std::pair<typename Target::Index, Coordinates>& at) const
+  {
+    const Coordinates x = m_target->point(at.first, at.second);
+    image.status = Flow_status::SUCCESS;
+    image.location = { m_target->face_of(at.first), at.second };
+    image.point = Point_3(x[0], x[1], x[2]);
+    image.value = m_shell->field().cell(m_shell->field().locate(image.point)).value(image.point);
+  }
+
+  // If the curve through a point meets the closing of the mesh, sets the image to the nearest point of the border.
+  void continue_at_border(Image& image, const Coordinates& start) const
+  {
+    const Projection_facets_3& closing = m_target->closing_facets();
+    if(closing.number_of_facets() == 0) return;
+    typename internal::Facet_on_curve<Shell>::Hit hit;
+    if(internal::Facet_on_curve<Shell>(*m_shell, closing, m_tolerance)(start, Target::npos, hit)
+       != Flow_status::SUCCESS)
+      return;
+    const auto nearest = m_target->closest_on_border(closing.point(hit.facet, hit.barycentric));
+    const Coordinates x = m_target->point(nearest.first, nearest.second);
+    if(m_shell->bounded_side(Point_3(x[0], x[1], x[2])) == ON_UNBOUNDED_SIDE) return;
+    place(image, nearest);
+    image.is_continued = true;
+  }
+
   const Shell* m_shell;
   std::shared_ptr<const Target> m_target;
   double m_tolerance;

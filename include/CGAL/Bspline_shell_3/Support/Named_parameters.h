@@ -50,6 +50,7 @@ namespace Bspline_shells {
   OWN(stop)                                                                                                            \
   OWN(locate_vertices)                                                                                                 \
   OWN(freeze_rejected_facets)                                                                                          \
+  OWN(border_tolerance)                                                                                                \
   ADD(internal_np::maximum_running_time_t, time_limit)                                                                 \
   ADD(internal_np::allow_self_intersections_t, allow_self_intersections)                                               \
   ADD(internal_np::vertex_point_t, vertex_point_map)                                                                   \

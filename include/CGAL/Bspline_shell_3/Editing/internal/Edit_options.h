@@ -9,6 +9,8 @@
 #include <CGAL/Bspline_shell_3/Editing/internal/Edge_constraints.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
+#include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/closing_argument.h>
 #include <CGAL/Bspline_shell_3/Projection/project_points.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
@@ -16,6 +18,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -27,6 +30,8 @@ template <typename TriangleMesh>
 struct Edit_options
 {
   Edge_constraints<TriangleMesh> constraints;
+  std::shared_ptr<const Shell_closing_3> closing; // closes the mesh if it is open; may be null
+  double border_tolerance = 0;                    // the border is not simplified if it is 0
   bool freezes_rejected_facets = false;
   double max_seconds = std::numeric_limits<double>::infinity();
   // stores the locations on the mesh to which points are projected; empty if none are requested
@@ -41,6 +46,7 @@ Options edit_options(const TriangleMesh& mesh, VertexPointMap vpm, const Shell& 
 {
   namespace P = CGAL::parameters;
   Options options;
+  options.closing = closing_argument(np, shell.closing());
   options.freezes_rejected_facets = P::choose_parameter(P::get_parameter(np, parameter_tags::freeze_rejected_facets),
                                                         options.freezes_rejected_facets);
   options.max_seconds = P::choose_parameter(P::get_parameter(np, internal_np::maximum_running_time),
@@ -50,7 +56,9 @@ Options edit_options(const TriangleMesh& mesh, VertexPointMap vpm, const Shell& 
   if constexpr(!P::is_default_parameter<NamedParameters, parameter_tags::locate_vertices_t>::value)
     if(P::get_parameter(np, parameter_tags::locate_vertices))
       options.locate = [&mesh, vpm, &shell, &result](const std::vector<std::array<double, 3> >& points) {
-        for(const auto& image : project_points<ConcurrencyTag>(shell, points, mesh, P::vertex_point_map(vpm)))
+        const auto closing = result.removed_border_edges > 0 ? result.closing : nullptr;
+        for(const auto& image :
+            project_points<ConcurrencyTag>(shell, points, mesh, parameters::vertex_point_map(vpm).closing(closing)))
           result.locations.push_back(image.location);
       };
   return options;

@@ -18,7 +18,7 @@ namespace Bspline_shells {
 namespace internal {
 
 // Facets of a mesh that edits do not change, with their vertices and edges. They keep their descriptors. Facets that
-// close the mesh are less restrictive: edges may be collapsed into their vertices.
+// close the mesh are less restrictive: edges may be collapsed into their vertices, and along the border of the mesh.
 template <typename TriangleMesh>
 class Frozen_facets
 {
@@ -62,18 +62,27 @@ public:
   // Returns whether a vertex must not move because a facet at it closes the mesh. An edge at it may be collapsed, so
   // that another vertex takes its place.
   bool is_fixed(vertex_descriptor v) const { return !m_closing.empty() && m_fixed.count(v) > 0; }
+  // Must be called before an edge collapse removes a facet.
+  void remove(face_descriptor f) { m_closing.erase(f); }
   // Must be called when an edge collapse has put `v` in the place of `w`.
   void replace(vertex_descriptor w, vertex_descriptor v)
   {
     if(is_fixed(w) && m_fixed.erase(w) > 0) m_fixed.insert(v);
   }
-  // Returns whether an edge belongs to a facet that is frozen or closes the mesh.
-  bool has_edge(edge_descriptor e) const
+  // Returns whether an edge belongs to a frozen facet.
+  bool is_frozen(edge_descriptor e) const
   {
     const auto h = halfedge(e, *m_mesh);
-    const face_descriptor f = face(h, *m_mesh), g = face(opposite(h, *m_mesh), *m_mesh);
-    return has_facet(f) || has_facet(g) || closes(f) || closes(g);
+    return has_facet(face(h, *m_mesh)) || has_facet(face(opposite(h, *m_mesh), *m_mesh));
   }
+  // Returns whether an edge belongs to a facet that closes the mesh.
+  bool is_at_closing(edge_descriptor e) const
+  {
+    const auto h = halfedge(e, *m_mesh);
+    return closes(face(h, *m_mesh)) || closes(face(opposite(h, *m_mesh), *m_mesh));
+  }
+  // Returns whether an edge belongs to a facet that is frozen or closes the mesh.
+  bool has_edge(edge_descriptor e) const { return is_frozen(e) || is_at_closing(e); }
   bool has_end_of(edge_descriptor e) const
   {
     return !empty() && (has_vertex(source(e, *m_mesh)) || has_vertex(target(e, *m_mesh)));

@@ -58,9 +58,9 @@ Edit_status collapse_edges(TriangleMesh& mesh, VertexPointMap vpm, const Bspline
   const auto edit = [&](const auto& oracle, auto& frozen, const auto& all) {
     typedef Shell_filter<std::decay_t<decltype(oracle)>, Collapse_filter<Profile> > Filter;
     const Filter filter(oracle, options.filter);
-    Rules rules(mesh, vpm, options.constraints, options.protects_constraints, frozen);
+    Rules rules(mesh, vpm, options.constraints, options.protects_constraints, options.border_tolerance, frozen);
     Collapse_state state;
-    state.closing_facets = frozen.number_of_closing_facets();
+    state.closing_facets = rules.number_of_closing_facets();
     state.initial_edges = state.edges_without_closing(edges(mesh).size());
     Selecting_visitor<Profile, Rules> history(*options.visitor, mesh, rules, state);
     const auto collapse = [&](const Any_collapse_policy<Profile>& policy) {

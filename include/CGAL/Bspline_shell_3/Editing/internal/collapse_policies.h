@@ -102,11 +102,12 @@ public:
     Base::OnCollapsing(profile, placement);
     m_state->largest_cost = (std::max)(m_state->largest_cost, m_state->cost);
     ++m_state->collapsed;
-    m_rules->before_collapse(profile);
+    m_rules->before_collapse(profile, placement);
   }
   void OnCollapsed(const Profile& profile, typename Profile::vertex_descriptor v)
   {
     m_rules->after_collapse(profile, v);
+    m_state->closing_facets = m_rules->number_of_closing_facets();
     Base::OnCollapsed(profile, v);
   }
   void OnNonCollapsable(const Profile& profile)

@@ -18,9 +18,12 @@
 #include <CGAL/Bspline_shell_3/Editing/internal/Mesh_backup.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/Mesh_truncated_for_edit.h>
 #include <CGAL/Bspline_shell_3/Editing/internal/find_rejected_facets.h>
+#include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
+#include <CGAL/Bspline_shell_3/Mesh/count_removed_border_points.h>
 #include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
+#include <CGAL/Bspline_shell_3/Support/Named_parameters.h>
 #include <CGAL/Bspline_shell_3/Support/Run.h>
 
 #include <CGAL/FPU.h>
@@ -31,26 +34,29 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Returns whether a mesh is closed, or has the border of the shell's closing.
-template <typename TriangleMesh, typename VertexPointMap, typename Shell>
-bool has_border_of_shell(const TriangleMesh& mesh, VertexPointMap vpm, const Shell& shell)
+// Returns whether a mesh is closed, or has the border of a closing, which may be null.
+template <typename TriangleMesh, typename VertexPointMap>
+bool has_border_of(const std::shared_ptr<const Shell_closing_3>& closing, const TriangleMesh& mesh, VertexPointMap vpm)
 {
-  return CGAL::is_closed(mesh) || (shell.closing() && shell.closing()->match_border(mesh, vpm));
+  return CGAL::is_closed(mesh) || (closing && closing->match_border(mesh, vpm));
 }
 
 // Returns whether a mesh passes the cheap tests for edits in a shell.
 template <typename TriangleMesh, typename VertexPointMap, typename Shell>
-Edit_status check_before_edits(const TriangleMesh& mesh, VertexPointMap vpm, const Shell& shell)
+Edit_status check_before_edits(const TriangleMesh& mesh, VertexPointMap vpm, const Shell& shell,
+                               const std::shared_ptr<const Shell_closing_3>& closing)
 {
   if(!shell) return Edit_status::NO_SHELL;
   if(faces(mesh).begin() == faces(mesh).end() || !CGAL::is_triangle_mesh(mesh)) return Edit_status::NOT_TRIANGULATED;
-  if(!has_border_of_shell(mesh, vpm, shell)) return Edit_status::OPEN_MESH;
+  if(!has_border_of(closing, mesh, vpm)) return Edit_status::OPEN_MESH;
   for(auto v : vertices(mesh)) {
     const auto& p = get(vpm, v);
     if(!(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()))) return Edit_status::NOT_FINITE;
@@ -62,8 +68,8 @@ Edit_status check_before_edits(const TriangleMesh& mesh, VertexPointMap vpm, con
 // facets are frozen and all others are accepted. `edit(oracle, frozen, all)` writes images and counts to the result,
 // and returns success or the reason why the edit must be undone. It must remove all properties that it attaches to the
 // mesh. `all` contains a vertex for each original vertex: the vertex itself, or a vertex nearby if the mesh was
-// truncated first, as in the shell. During the edit, an open mesh is closed by the triangles that close it in the
-// shell; `frozen` contains these facets.
+// truncated first, as in the shell. During the edit, an open mesh is closed; `frozen` contains the facets that close
+// it, and does so after the edit.
 // \pre `check_before_edits()` accepts the mesh
 // \param proofs which of the facets that the oracle accepts are proved. If facets may be frozen, all of them must be.
 template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename Field, typename Threshold,
@@ -89,6 +95,8 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, const Bspli
     result.facets = result.facets_before;
     result.constrained_edges = 0;
     result.end = Edit_termination::NOT_EDITED;
+    result.closing.reset();
+    result.removed_border_edges = 0;
     result.images.clear();
     result.frozen_facets.clear();
     return status;
@@ -118,9 +126,11 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, const Bspli
     result.frozen_facets_before = frozen_before.positions();
     if(is_truncated) result.frozen_facets_before = truncated.facets_before(mesh, result.frozen_facets_before);
 
-    if(!CGAL::is_closed(mesh)) {
-      if(!closed.close(*shell.closing(), vpm)) return undone(Edit_status::NOT_CLOSABLE);
+    const bool is_open = !CGAL::is_closed(mesh);
+    if(is_open) {
+      if(!closed.close(*options.closing, vpm)) return undone(Edit_status::NOT_CLOSABLE);
       for(auto f : closed.faces()) frozen.close(f);
+      result.closing = options.closing;
     }
     const Edit_status edited = edit(oracle, frozen, all);
     lap(result.edit_seconds);
@@ -132,18 +142,27 @@ Edit_status edit_and_certify(TriangleMesh& mesh, VertexPointMap vpm, const Bspli
     bool are_others_accepted = true;
     if(!frozen.empty())
       are_others_accepted = find_rejected_facets<ConcurrencyTag>(mesh, vpm, oracle, frozen, false, others).empty();
+    if(is_open && options.border_tolerance > 0) {
+      closed.update(frozen);
+      auto simplified = std::make_shared<const Shell_closing_3>(closed.closing(vpm));
+      const auto removed = count_removed_border_points(*options.closing, *simplified, options.border_tolerance);
+      if(!removed) return undone(Edit_status::NOT_CERTIFIED);
+      result.removed_border_edges = *removed;
+      if(*removed > 0) result.closing = std::move(simplified);
+    }
     closed.open();
     result.facets = faces(mesh).size();
     Shell_certificate_3<Field, Threshold> certificate(shell, oracle.bounds());
-    const bool certified = certificate.template verify<ConcurrencyTag>(mesh, CGAL::parameters::vertex_point_map(vpm));
+    const bool certified = certificate.template verify<ConcurrencyTag>(
+      mesh, parameters::vertex_point_map(vpm).closing(result.closing));
     result.certificate = certificate.report();
     // A rejection proves nothing, so the certificate may succeed although facets were rejected. If it fails, the other
-    // facets must still be accepted, and the mesh must have its original border.
+    // facets must still be accepted, and the mesh must have the border of its closing.
     const bool are_kept = Frozen_state<TriangleMesh, VertexPointMap>(frozen, mesh, vpm)
                             .is_as(frozen_before, result.frozen_facets);
     const bool is_proved = certified
                            || (!frozen.empty() && are_kept && are_others_accepted
-                               && has_border_of_shell(mesh, vpm, shell));
+                               && has_border_of(result.closing, mesh, vpm));
     lap(result.certificate_seconds);
     if(!is_proved) return undone(Edit_status::NOT_CERTIFIED);
     if(options.locate) {
