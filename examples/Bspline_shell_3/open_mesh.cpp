@@ -54,6 +54,7 @@ int main(int argc, char** argv)
   std::size_t lost = 0, moved = 0, beyond = 0;
   double error = 0;
   for(auto v : mesh.vertices()) {
+    if(mesh.is_isolated(v)) continue;
     const auto image = map(v);
     if(!image) {
       ++lost;

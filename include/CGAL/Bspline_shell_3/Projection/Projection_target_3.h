@@ -18,11 +18,9 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <unordered_map>
 #include <utility>
@@ -85,7 +83,10 @@ public:
     }
     if(!m_valid) return;
     if(truncation && truncation->is_valid()) truncate(truncation, vpm, facets);
-    if(m_closing && m_closing->is_valid() && !m_border.empty()) m_closing_facets = facets_of(*m_closing);
+    if(m_closing && m_closing->is_valid() && !m_border.empty()) {
+      m_closing_facets = facets_of(*m_closing);
+      set_border_edges(facets);
+    }
     static_cast<Projection_facets_3&>(*this) = Projection_facets_3(std::move(facets));
   }
 
@@ -110,30 +111,15 @@ public:
     return found == m_border.end() ? nullptr : &found->second;
   }
   /// returns the place (facet and barycentric coordinates) of the border that is nearest to a point.
-  /// \pre the mesh is not closed
-  /// \cgalHeading{Cost} Linear in the length of the border.
+  /// \pre there are `closing_facets()`
   std::pair<Index, Coordinates> closest_on_border(const Coordinates& p) const
   {
-    std::pair<Index, Coordinates> nearest(npos, {});
-    double least = std::numeric_limits<double>::infinity();
-    for(const auto& pair : m_border) {
-      const int i = pair.second.vertex, j = (i + 1) % 3;
-      const Coordinates &source = pair.first, &target = vertex(pair.second.facet, j);
-      Coordinates edge, to;
-      for(int a = 0; a < 3; ++a) {
-        edge[a] = target[a] - source[a];
-        to[a] = p[a] - source[a];
-      }
-      const double length = internal::dot(edge, edge);
-      const double t = length > 0 ? (std::min)((std::max)(internal::dot(edge, to) / length, 0.), 1.) : 0;
-      for(int a = 0; a < 3; ++a) to[a] -= t * edge[a];
-      if(!(internal::dot(to, to) < least)) continue;
-      least = internal::dot(to, to);
-      nearest = { pair.second.facet, {} };
-      nearest.second[i] = 1 - t;
-      nearest.second[j] = t;
-    }
-    return nearest;
+    const auto [n, weights] = m_border_edges.closest(p);
+    const auto [facet, i] = m_edge_corners[n];
+    std::pair<Index, Coordinates> place(facet, Coordinates{});
+    place.second[i] = weights[0];
+    place.second[(i + 1) % 3] = weights[1] + weights[2];
+    return place;
   }
   /// returns the closing that was passed to the constructor
   const std::shared_ptr<const Shell_closing_3>& closing() const { return m_closing; }
@@ -194,6 +180,19 @@ private:
     return Projection_facets_3(std::move(facets));
   }
 
+  void set_border_edges(const std::vector<Facet>& facets)
+  {
+    std::vector<Facet> edges; // without area
+    for(Index n = 0; n < facets.size(); ++n)
+      for(int i = 0; i < 3; ++i) {
+        if(facets[n].neighbor[i] != npos) continue;
+        const Coordinates &source = facets[n].vertex[i], &target = facets[n].vertex[(i + 1) % 3];
+        edges.push_back({ { source, target, target }, { npos, npos, npos }, {} });
+        m_edge_corners.push_back({ n, i });
+      }
+    m_border_edges = Projection_facets_3(std::move(edges));
+  }
+
   template <typename VertexPointMap>
   void truncate(const std::shared_ptr<const Shell_truncation_3>& truncation, VertexPointMap vpm,
                 const std::vector<Facet>& facets)
@@ -230,7 +229,8 @@ private:
   std::vector<Coordinates> m_traced_vertices;
   std::unique_ptr<const internal::Truncated_facets> m_truncated; // null if nothing is replaced
   std::shared_ptr<const Shell_closing_3> m_closing;
-  Projection_facets_3 m_closing_facets;
+  Projection_facets_3 m_closing_facets, m_border_edges;
+  std::vector<Corner> m_edge_corners; // at the sources of the border edges
   std::unordered_map<Coordinates, Corner, internal::Hash_coordinates> m_border;
   bool m_valid = true;
 };

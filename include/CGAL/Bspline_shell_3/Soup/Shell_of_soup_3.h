@@ -211,7 +211,7 @@ private:
                         : Bspline_shells::message(mesh_status, invalid_parameter);
     if(near_duplicates > 0)
       text += " In the input, " + std::to_string(near_duplicates)
-              + " points are closer to another point than 1e-6 of the bounding box: merge them.";
+              + " points are closer to another point than 1e-6 of the bounding box: merge them (weld_tolerance).";
     return text;
   }
 };

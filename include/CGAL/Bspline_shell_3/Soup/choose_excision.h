@@ -46,10 +46,10 @@ Soup_triangles different_triangles(Polygon_soup soup);
  *
  * Triangles are excised, in this order,
  * - if they have no area;
+ * - if they intersect others (one of each two triangles, preferably such with few neighbors);
  * - at edges with more than two triangles (all but two);
  * - at edges where orientations contradict each other (the smaller triangle);
  * - at vertices with several fans (all but that of the largest piece);
- * - if they intersect others (one of each two triangles, preferably such with few neighbors);
  * - at border vertices and pins whose cone margin is too small;
  * - in small pieces that are no longer connected to their component.
  *

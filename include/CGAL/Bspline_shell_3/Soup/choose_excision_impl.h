@@ -110,14 +110,12 @@ CGAL_BSPLINE_SHELL_3_INLINE Excised_soup_3 choose_excision(Soup_triangles soup, 
     const auto& points = state.soup.points;
     if(CGAL::collinear(points[c[0]], points[c[1]], points[c[2]])) state.excise(t, Excision_reason::NO_AREA);
   }
-  // Triangles that hang at edges and vertices are excised first, so that facets that they intersect remain.
+  for(std::size_t t : internal::small_cover(internal::overlapping_triangles(state), internal::excision_costs(state)))
+    state.excise(t, Excision_reason::INTERSECTING);
   internal::excise_at_non_manifold_edges(state);
   internal::orient_or_excise(state);
   std::vector<std::size_t> all(state.soup.points.size());
   std::iota(all.begin(), all.end(), std::size_t(0));
-  internal::Point_excision(state, {}).run(all);
-  for(std::size_t t : internal::small_cover(internal::overlapping_triangles(state), internal::excision_costs(state)))
-    state.excise(t, Excision_reason::INTERSECTING);
   return internal::excise_until_stable(state, std::move(all), parameters);
 }
 

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <deque>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -81,8 +80,7 @@ inline std::vector<Triangle_fan> fans_at(std::size_t point, const Excision_state
 class Point_excision
 {
 public:
-  // \param least_cone_margin if it is missing, only points with several fans are examined
-  Point_excision(Excision_state& state, std::optional<double> least_cone_margin)
+  Point_excision(Excision_state& state, double least_cone_margin)
     : m_state(state), m_pieces(connected_triangles(
                         state, [&](std::size_t t) { return state.is_kept(t); }, 2)),
       m_least_cone_margin(least_cone_margin), m_waits(state.soup.points.size(), 0)
@@ -126,7 +124,6 @@ private:
         if(&fan != &*largest) excise(fan, Excision_reason::NON_MANIFOLD);
       return;
     }
-    if(!m_least_cone_margin) return;
     const Triangle_fan& fan = fans.front();
     if(!fan.is_closed) {
       if(!is_closable(point, fan)) excise(fan, Excision_reason::STEEP_BORDER);
@@ -156,8 +153,8 @@ private:
     cone.apex = points[point];
     for(std::size_t n = 0; n + 1 < fan.link.size(); ++n)
       cone.wings.emplace_back(points[fan.link[n]], points[fan.link[n + 1]]);
-    const auto margin = bounded_cone_margin(cone, *m_least_cone_margin);
-    return margin && *margin >= *m_least_cone_margin;
+    const auto margin = bounded_cone_margin(cone, m_least_cone_margin);
+    return margin && *margin >= m_least_cone_margin;
   }
 
   bool is_closable(std::size_t point, const Triangle_fan& fan) const
@@ -170,7 +167,7 @@ private:
 
   Excision_state& m_state;
   Triangle_sets m_pieces; // before any excision at points
-  std::optional<double> m_least_cone_margin;
+  double m_least_cone_margin;
   std::deque<std::size_t> m_queue;
   std::vector<char> m_waits; // by point: whether it is in the queue
 };
