@@ -39,8 +39,8 @@ inline bool has_significant_digits(double x, int digits)
  * coordinates were stored.
  *
  * If all coordinates are values of `float`, this is the distance between two such values. Otherwise, it is the last
- * place of decimal numbers with the fewest significant digits that reproduce all coordinates. If they need all digits of
- * a `double`, it is the distance between two values of `double`.
+ * place of decimal numbers with the fewest significant digits that reproduce all coordinates. If they need all digits
+ * of a `double`, it is the distance between two values of `double`.
  *
  * \pre coordinates are finite
  * \return the distance; 0 if all coordinates are zero
