@@ -20,7 +20,10 @@ namespace {
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point;
 
-Eigen::Vector3d vector(const Point& p) { return { p.x(), p.y(), p.z() }; }
+Eigen::Vector3d vector(const Point& p)
+{
+  return { p.x(), p.y(), p.z() };
+}
 
 // The polygons as triangles, for the search of the nearest one.
 class Triangles

@@ -73,10 +73,9 @@ std::vector<double> polygon_values(const Map& map, const Mesh_origins& origins, 
       values[failure.first] = value_of(source.face_of(source.closest({ p.x(), p.y(), p.z() }).first));
     }
   } else {
-    const std::vector<std::array<double, 3> > samples = { { 1 / 3., 1 / 3., 1 / 3. },
-                                                          { 2 / 3., 1 / 6., 1 / 6. },
-                                                          { 1 / 6., 2 / 3., 1 / 6. },
-                                                          { 1 / 6., 1 / 6., 2 / 3. } };
+    const std::vector<std::array<double, 3> > samples = {
+      { 1 / 3., 1 / 3., 1 / 3. }, { 2 / 3., 1 / 6., 1 / 6. }, { 1 / 6., 2 / 3., 1 / 6. }, { 1 / 6., 1 / 6., 2 / 3. }
+    };
     const auto inverse = map.inverse();
     for(auto f : map.target().faces()) {
       Value sum(a.dimension(), 0);

@@ -70,6 +70,7 @@ struct Model
   std::vector<std::string> comments; // lines, with the word with which the format begins them
   std::string materials;             // text of the material libraries of an OBJ file
   std::string folder;                // of the file; texture files are relative to it
+  std::vector<std::string> files;    // that were read: the file, and material libraries
   std::string encoding;              // as the format calls it; empty if it has only one
   Number_type coordinates = Number_type::FLOAT64;
 

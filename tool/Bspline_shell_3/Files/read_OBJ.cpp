@@ -182,8 +182,12 @@ private:
   {
     std::string text;
     const std::string file = (std::filesystem::path(m_model.folder) / name).string();
-    if(read_text(file, text) == File_status::SUCCESS) m_model.materials += text + (text.back() == '\n' ? "" : "\n");
-    else m_report.warnings.push_back("The material library " + name + " cannot be read.");
+    if(read_text(file, text) != File_status::SUCCESS) {
+      m_report.warnings.push_back("The material library " + name + " cannot be read.");
+      return;
+    }
+    m_model.materials += text + (text.back() == '\n' ? "" : "\n");
+    m_model.files.push_back(file);
   }
 
   Model& m_model;

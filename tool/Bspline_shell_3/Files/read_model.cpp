@@ -47,6 +47,7 @@ File_report read_model(const std::string& file, Model& model)
   if(contents.substr(0, byte_order_mark.size()) == byte_order_mark) contents.remove_prefix(byte_order_mark.size());
   Model found;
   found.folder = std::filesystem::path(file).parent_path().string();
+  found.files.push_back(file);
   report = read(contents, found);
   if(!report) return report;
   for(const auto& polygon : found.soup.polygons)
