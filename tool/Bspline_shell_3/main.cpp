@@ -109,7 +109,7 @@ int main(int argc, char** argv)
   program.get_formatter()->column_width(32);
   int code = Tool::DONE;
   const std::string lengths =
-    " A LENGTH is in the unit of the file, or in percent of the longest side of its box: 0.5%";
+    "\nA LENGTH is in the unit of the file, or in percent of the longest side of its box: 0.5%";
 
   Tool::Simplify_options simplify;
   CLI::App* verb = program.add_subcommand("simplify", "Simplify a mesh, and keep its attributes." + lengths);

@@ -123,6 +123,12 @@ Findings examine(const Model& model, double thickness)
   return found;
 }
 
+// Here, `SUCCESS` means that the polygons form a mesh.
+const char* mesh_message(BS::Shell_status status)
+{
+  return status == BS::Shell_status::SUCCESS ? "The polygons form a mesh." : message(status);
+}
+
 void print(const Findings& found, double thickness)
 {
   const auto line = [](std::size_t number, const char* what) {
@@ -139,7 +145,7 @@ void print(const Findings& found, double thickness)
   if(found.components > 0)
     std::cout << "mesh        " << found.components << (found.components == 1 ? " component, " : " components, ")
               << found.border_edges << " border edges, " << found.intersecting << " facets intersect others\n";
-  else std::cout << "mesh        " << message(found.status) << "\n";
+  else std::cout << "mesh        " << mesh_message(found.status) << "\n";
   if(found.gaps.are_known)
     std::cout << "walls       thinnest " << found.gaps.thinnest_wall << "\n"
               << "gaps        narrowest " << found.gaps.narrowest_gap << "\n"
@@ -179,7 +185,7 @@ int check(const Check_options& options)
       .add("corners", corners)
       .add("longest_side", unit)
       .add("attributes", attributes)
-      .add("mesh_status", message(found.status))
+      .add("mesh_status", mesh_message(found.status))
       .add("facets", found.offenders.facets)
       .add("vertices", found.offenders.vertices)
       .add("components", found.components)
@@ -203,7 +209,7 @@ int check(const Check_options& options)
   }
   print(found, thickness);
   if(!found.offenders.facets.empty() || !found.offenders.vertices.empty())
-    complain(options.input, message(found.status), found.offenders);
+    complain(options.input, mesh_message(found.status), found.offenders);
   return DONE;
 }
 
