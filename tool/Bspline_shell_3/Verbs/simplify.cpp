@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 namespace Tool {
 
@@ -25,36 +26,45 @@ namespace {
 
 constexpr double default_thickness = 0.01; // of the longest side of the bounding box
 
-// Returns whether the mesh was simplified such that the tolerance holds. The distance to the result is about as large
-// as the thickness. If it is larger than the tolerance, a thinner shell is built.
-bool keep_tolerance(const Model& model, const Simplify_options& options, Progress& progress,
-                    std::unique_ptr<Simplified>& result, double& thickness)
+// Simplifies a model, and returns the result and the thickness of its shell. With a tolerance, it is the result with
+// the fewest facets among those that were tried. The distance to a result is about as large as the thickness: thicker
+// shells are tried while much of the tolerance is left, and thinner ones while it is exceeded.
+std::pair<std::unique_ptr<Simplified>, double> simplify_model(const Model& model, const Simplify_options& options,
+                                                              Progress& progress)
 {
   constexpr int attempts = 4;
-  constexpr double safety = 0.9;
+  constexpr double aim = 0.9, slack = 0.75; // fractions of the tolerance
   const double unit = longest_side(model);
   const double tolerance = options.tolerance ? options.tolerance->in_box(unit) : 0;
-  thickness = options.thickness   ? options.thickness->in_box(unit)
-              : options.tolerance ? tolerance
-                                  : default_thickness * unit;
   CGAL::Real_timer timer;
   timer.start();
   Simplify_target target;
+  target.thickness = options.thickness   ? options.thickness->in_box(unit)
+                     : options.tolerance ? tolerance
+                                         : default_thickness * unit;
   target.facets = options.facets > 0 ? options.facets
                                      : std::size_t(std::ceil(options.ratio * double(model.soup.polygons.size())));
   target.rounds_coordinates = model.coordinates == Number_type::FLOAT32;
+  std::pair<std::unique_ptr<Simplified>, double> best;
+  bool is_kept = false; // whether the best result keeps the tolerance
   for(int attempt = 0; attempt < attempts; ++attempt) {
-    target.thickness = thickness;
     target.seconds = options.seconds - timer.time();
-    result = std::make_unique<Simplified>();
-    if(target.seconds > 0) simplify_model(model, target, progress, *result);
+    if(attempt > 0 && !(target.seconds > 0)) break;
+    auto result = std::make_unique<Simplified>();
+    simplify_model(model, target, progress, *result);
     progress.clear();
-    if(result->status != Simplify_status::SUCCESS) return false;
-    if(!options.tolerance || result->distances.largest() <= tolerance) return true;
-    if(options.thickness || result->found.proxy) return false;
-    thickness *= safety * tolerance / result->distances.largest();
+    const bool is_simplified = result->status == Simplify_status::SUCCESS;
+    if(is_kept && !is_simplified) break;
+    const double distance = result->distances.largest(), thickness = target.thickness;
+    const bool keeps_tolerance = is_simplified && distance <= tolerance;
+    const bool may_continue = is_simplified && options.tolerance && !options.thickness && !result->found.proxy
+                              && distance > 0 && (!keeps_tolerance || result->end == BS::Edit_termination::SHELL);
+    target.thickness *= aim * tolerance / distance;
+    if(!is_kept || (keeps_tolerance && result->facets < best.first->facets)) best = { std::move(result), thickness };
+    const bool was_kept = std::exchange(is_kept, is_kept || keeps_tolerance);
+    if(!may_continue || (keeps_tolerance && distance > slack * tolerance) || (was_kept && !keeps_tolerance)) break;
   }
-  return false;
+  return best;
 }
 
 std::string number(double x)
@@ -111,16 +121,13 @@ int simplify(const Simplify_options& options)
   CGAL::Real_timer timer;
   timer.start();
   Progress progress;
-  std::unique_ptr<Simplified> result;
-  double thickness;
-  const bool is_done = keep_tolerance(model, options, progress, result, thickness);
+  const auto [result, thickness] = simplify_model(model, options, progress);
   const BS::Shell_of_soup_3& found = result->found;
   if(result->status != Simplify_status::SUCCESS) {
-    complain(options.input, result->message.empty() ? "The time limit was reached." : result->message,
-             found.offending_simplices);
+    complain(options.input, result->message, found.offending_simplices);
     return result->status == Simplify_status::NO_SHELL ? WRONG_INPUT : NOT_CERTIFIED;
   }
-  if(!is_done) {
+  if(options.tolerance && result->distances.largest() > options.tolerance->in_box(longest_side(model))) {
     complain(options.input,
              "The tolerance is not kept: the distance is at most " + number(result->distances.largest()) + ". "
                + (found.proxy
