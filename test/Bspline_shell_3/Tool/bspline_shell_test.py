@@ -297,7 +297,9 @@ with tempfile.TemporaryDirectory() as folder:
     # check, shell, certify
     report = result("check", path("in.ply"))
     assert report["kind"] == "closed" and report["components"] == 1 and report["polygons"] == len(triangles), report
-    assert 1.8 < report["thinnest_wall"] <= 2.01 and report["thin_area"] == 0, report
+    assert report["thinnest_wall"] == report["search_limit"] and report["narrow_area"] == 0, report
+    report = result("check", path("in.ply"), "--thickness", "60%")
+    assert 1.8 < report["thinnest_wall"] <= 2.01 and report["narrow_area"] == 0, report
     report = result("check", path("stray.ply"))
     assert report["kind"] == "excised" and report["intersecting_facets"] > 0 and report["facets"], report
     report = result("check", os.path.join(meshes, "holes.off"))

@@ -23,7 +23,7 @@ struct Place
   typedef Mesh::Halfedge_index Halfedge;
   std::array<Halfedge, 3> corner;
   std::array<double, 3> weight = {};
-  std::size_t group = 0; // of a corner: equal at a vertex if the corners have equal values
+  std::size_t group = 0; // corners at a vertex with equal values have the same
 
   bool operator==(const Place& other) const { return group == other.group; }
 };
@@ -95,7 +95,7 @@ private:
     const auto& source = m_map.to_source().target();
     const auto closest = source.closest({ p.x(), p.y(), p.z() });
     const Mesh& mesh = m_map.source();
-    const auto h = mesh.halfedge(source.face_of(closest.first)); // to the second corner
+    const auto h = mesh.halfedge(source.face_of(closest.first)); // leads to the second corner
     return { { mesh.prev(h), h, mesh.next(h) }, closest.second };
   }
 

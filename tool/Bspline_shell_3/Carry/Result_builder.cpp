@@ -30,7 +30,7 @@ double crease_angle(const Model& source, const Attribute& normals, const Mixer& 
     used += !values.empty();
     several += values.size() > 1;
   }
-  constexpr double usual_crease = CGAL_PI / 6; // of modelling programs
+  constexpr double usual_crease = CGAL_PI / 6; // default of modelling programs
   return several == 0 ? CGAL_PI : 2 * several > used ? 0 : usual_crease;
 }
 

@@ -17,9 +17,9 @@ struct Result_triangle
 {
   struct Corner
   {
-    std::size_t point; // of the result
-    Mix smooth;        // for attributes without seams
-    Mix split;         // for attributes with seams
+    std::size_t point; // index of a point of the result
+    Mix smooth;        // source of attributes without seams
+    Mix split;         // source of attributes with seams
   };
   std::array<Corner, 3> corners;
 };

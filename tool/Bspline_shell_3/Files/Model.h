@@ -16,7 +16,7 @@ enum class Element
 {
   POINT,
   POLYGON,
-  CORNER // of a polygon; corners are numbered polygon by polygon
+  CORNER // corner of a polygon; numbered polygon by polygon
 };
 
 enum class Kind
@@ -24,7 +24,7 @@ enum class Kind
   REAL,
   LABEL,
   NORMAL,
-  COLOR // from 0 to 1 for types of real numbers, and otherwise from 0 to 255
+  COLOR // real numbers are from 0 to 1, and integers from 0 to 255
 };
 
 enum class Number_type
@@ -66,12 +66,12 @@ struct Model
   typedef BS::Polygon_soup::Polygons Polygons;
 
   BS::Polygon_soup soup;
-  std::vector<Attribute> attributes; // in the order of the file
+  std::vector<Attribute> attributes; // have the order of the file
   std::vector<std::string> comments; // lines, with the word with which the format begins them
   std::string materials;             // text of the material libraries of an OBJ file
-  std::string folder;                // of the file; texture files are relative to it
-  std::vector<std::string> files;    // that were read: the file, and material libraries
-  std::string encoding;              // as the format calls it; empty if it has only one
+  std::string folder;                // folder of the file; texture files are relative to it
+  std::vector<std::string> files;    // the file and its material libraries
+  std::string encoding;              // name of the encoding; empty if the format has only one
   Number_type coordinates = Number_type::FLOAT64;
 
   // Returns the number of the first corner of each polygon, and then the number of all corners.

@@ -75,8 +75,8 @@ public:
     return !words.empty();
   }
 
-  std::size_t number() const { return m_number; }                             // of the line, from 1
-  std::size_t position() const { return (std::min)(m_begin, m_text.size()); } // of the next line
+  std::size_t number() const { return m_number; }                             // number of the line, from 1
+  std::size_t position() const { return (std::min)(m_begin, m_text.size()); } // beginning of the next line
   // Returns the line after its first word.
   std::string rest() const
   {

@@ -20,7 +20,7 @@ struct Property
 {
   std::string name;
   Number_type type = Number_type::FLOAT64;
-  std::optional<Number_type> count; // of a list
+  std::optional<Number_type> count; // type of the length, for lists
 };
 
 struct Section

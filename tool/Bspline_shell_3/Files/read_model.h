@@ -15,7 +15,7 @@ File_report read_model(const std::string& file, Model& model);
 
 // Each function reads the text of a file of one format.
 File_report read_PLY(std::string_view text, Model& model);
-File_report read_OBJ(std::string_view text, Model& model); // with the material libraries in `model.folder`
+File_report read_OBJ(std::string_view text, Model& model); // also reads material libraries in `model.folder`
 File_report read_OFF(std::string_view text, Model& model);
 File_report read_STL(std::string_view text, Model& model);
 

@@ -12,7 +12,7 @@
 namespace Tool {
 
 // Files that belong together, such as an OBJ file and its material library: pairs of a name and the contents. The first
-// file is the one that was asked for.
+// file has the requested name.
 struct Written_files
 {
   std::vector<std::pair<std::string, std::string> > files;

@@ -36,11 +36,11 @@ struct Simplified
   std::string message; // the reason if the status is not `SUCCESS`
   BS::Shell_of_soup_3 found;
   Mesh mesh;
-  BS::Rejoined_soup_3 rejoined; // with excised triangles, if there are any
+  BS::Rejoined_soup_3 rejoined; // the mesh and the excised triangles, if there are any
   BS::Edit_termination end = BS::Edit_termination::NOT_EDITED;
-  std::size_t facets_before = 0, facets = 0; // of the whole surface
+  std::size_t facets_before = 0, facets = 0; // numbers for the whole surface
   std::size_t lines = 0;                     // edges on lines that were kept together
-  bool gave_up_lines = false;                // to reach the number of facets
+  bool gave_up_lines = false;                // whether lines were given up to reach the number of facets
   bool is_rounded = false;                   // whether coordinates are those of a file of floats
   Distance_bounds distances;                 // between the model and the result
 };
@@ -48,7 +48,7 @@ struct Simplified
 struct Simplify_target
 {
   double thickness;
-  std::size_t facets; // as few as possible if 0
+  std::size_t facets; // 0 for as few as possible
   bool rounds_coordinates;
   double seconds;
 };

@@ -15,12 +15,16 @@
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/for_each.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <iostream>
-#include <limits>
+#include <numeric>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace Tool {
 
@@ -38,42 +42,51 @@ const char* name(Element element)
   return "";
 }
 
-// The thickness of walls and the width of gaps of a closed mesh.
+// The thickness of walls and the width of gaps of a closed mesh, which are searched up to a limit.
 struct Gaps
 {
-  bool are_known = false;
-  double thinnest_wall = std::numeric_limits<double>::infinity(), narrowest_gap = thinnest_wall;
-  double thin_area = 0; // share of the area where a wall or a gap is narrower than the shell
+  double limit = 0; // 0 if they are not known
+  double thinnest_wall = 0, narrowest_gap = 0;
+  double narrow_area = 0; // share of the area where a wall or a gap is narrower than the shell
 };
 
 Gaps measure_gaps(const BS::Input_mesh_3& input, double thickness)
 {
+  constexpr double limit = 4; // relative to the thickness; wider places do not affect the shell
   Gaps gaps;
-  gaps.are_known = true;
+  gaps.limit = gaps.thinnest_wall = gaps.narrowest_gap = limit * thickness;
   const BS::Local_gap_3 gap(input);
-  double area = 0, thin = 0;
-  for(auto f : input.mesh().faces()) {
-    const double wall = gap(f, CGAL::NEGATIVE), space = gap(f, CGAL::POSITIVE);
+  std::vector<std::pair<double, double> > of_facets(input.mesh().number_of_faces()); // wall and gap
+  std::vector<Mesh::size_type> facets(of_facets.size());
+  std::iota(facets.begin(), facets.end(), 0);
+  CGAL::for_each<CGAL::Parallel_if_available_tag>(facets, [&](Mesh::size_type& n) {
+    const BS::Input_mesh_3::Face_index f(n);
+    of_facets[n] = { gap(f, CGAL::NEGATIVE, gaps.limit), gap(f, CGAL::POSITIVE, gaps.limit) };
+    return true;
+  });
+  double area = 0, narrow = 0;
+  for(Mesh::size_type n : facets) {
+    const auto [wall, space] = of_facets[n];
     gaps.thinnest_wall = (std::min)(gaps.thinnest_wall, wall);
     gaps.narrowest_gap = (std::min)(gaps.narrowest_gap, space);
-    const double of_facet = CGAL::Polygon_mesh_processing::face_area(f, input.mesh());
+    const double of_facet = CGAL::Polygon_mesh_processing::face_area(BS::Input_mesh_3::Face_index(n), input.mesh());
     area += of_facet;
-    if((std::min)(wall, space) < thickness) thin += of_facet;
+    if((std::min)(wall, space) < thickness) narrow += of_facet;
   }
-  gaps.thin_area = area > 0 ? thin / area : 0;
+  gaps.narrow_area = area > 0 ? narrow / area : 0;
   return gaps;
 }
 
 struct Findings
 {
-  BS::Shell_status status = BS::Shell_status::NOT_BUILT; // of the polygons as a mesh
+  BS::Shell_status status = BS::Shell_status::NOT_BUILT; // status of the polygons as a mesh
   BS::Offending_simplices offenders;                     // polygons and points, or facets of the repaired mesh
   BS::Soup_repairs repairs;
   BS::Weld_report weld;
   std::size_t components = 0, border_edges = 0, intersecting = 0;
   double excised_share = 0;
   Gaps gaps;
-  std::string kind; // of shell that can be expected
+  std::string kind; // kind of the shell that can be expected
 };
 
 Findings examine(const Model& model, double thickness)
@@ -146,11 +159,15 @@ void print(const Findings& found, double thickness)
     std::cout << "mesh        " << found.components << (found.components == 1 ? " component, " : " components, ")
               << found.border_edges << " border edges, " << found.intersecting << " facets intersect others\n";
   else std::cout << "mesh        " << mesh_message(found.status) << "\n";
-  if(found.gaps.are_known)
-    std::cout << "walls       thinnest " << found.gaps.thinnest_wall << "\n"
-              << "gaps        narrowest " << found.gaps.narrowest_gap << "\n"
-              << "            narrower than the shell (" << thickness << ") on " << 100 * found.gaps.thin_area
+  if(found.gaps.limit > 0) {
+    const auto width = [&](const char* what, double x) {
+      std::cout << what << (x < found.gaps.limit ? "narrowest " : "none narrower than ") << x << "\n";
+    };
+    width("walls       ", found.gaps.thinnest_wall);
+    width("gaps        ", found.gaps.narrowest_gap);
+    std::cout << "            narrower than the shell (" << thickness << ") on " << 100 * found.gaps.narrow_area
               << " % of the area\n";
+  }
   if(found.excised_share > 0)
     std::cout << "excision    " << 100 * found.excised_share << " % of the area has defects\n";
   std::cout << "shell       " << found.kind << std::endl;
@@ -167,7 +184,7 @@ int check(const Check_options& options)
   const double thickness = options.thickness ? options.thickness->in_box(unit) : default_thickness * unit;
   const std::string format = extension_of(options.input).substr(1) + (model.encoding.empty() ? "" : ", ")
                              + model.encoding;
-  std::size_t corners = model.first_corners().back();
+  const std::size_t corners = model.first_corners().back();
   const Findings found = examine(model, thickness);
   if(found.kind.empty()) {
     complain(options.input, message(found.status), found.offenders);
@@ -193,10 +210,11 @@ int check(const Check_options& options)
       .add("intersecting_facets", found.intersecting)
       .add("excised_share", found.excised_share)
       .add("kind", found.kind);
-    if(found.gaps.are_known)
-      json.add("thinnest_wall", found.gaps.thinnest_wall)
+    if(found.gaps.limit > 0)
+      json.add("search_limit", found.gaps.limit)
+        .add("thinnest_wall", found.gaps.thinnest_wall)
         .add("narrowest_gap", found.gaps.narrowest_gap)
-        .add("thin_area", found.gaps.thin_area);
+        .add("narrow_area", found.gaps.narrow_area);
     std::cout << json.text() << std::endl;
     return DONE;
   }

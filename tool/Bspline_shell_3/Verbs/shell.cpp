@@ -28,7 +28,7 @@ namespace Tool {
 
 namespace {
 
-// Returns what a function writes to a stream.
+// Returns the text that a function writes to a stream.
 template <typename Write>
 std::string text_of(const Write& write)
 {

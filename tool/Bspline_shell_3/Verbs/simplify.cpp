@@ -24,11 +24,12 @@ namespace Tool {
 
 namespace {
 
-constexpr double default_thickness = 0.01; // of the longest side of the bounding box
+constexpr double default_thickness = 0.01; // fraction of the longest side of the bounding box
 
-// Simplifies a model, and returns the result and the thickness of its shell. With a tolerance, it is the result with
-// the fewest facets among those that were tried. The distance to a result is about as large as the thickness: thicker
-// shells are tried while much of the tolerance is left, and thinner ones while it is exceeded.
+// Simplifies a model, and returns the result and the thickness of its shell. With a tolerance, several
+// thicknesses are tried, and the result with the fewest facets is returned. The distance to a result is about as large
+// as the thickness: thicker shells are tried while much of the tolerance is left, and thinner ones while it is
+// exceeded.
 std::pair<std::unique_ptr<Simplified>, double> simplify_model(const Model& model, const Simplify_options& options,
                                                               Progress& progress)
 {

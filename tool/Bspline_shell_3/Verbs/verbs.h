@@ -16,7 +16,7 @@ struct Simplify_options
   std::string input, output;
   std::optional<Length> tolerance, thickness;
   std::size_t facets = 0; // 0 if there is no target
-  double ratio = 0;       // the same
+  double ratio = 0;       // 0 if there is no target
   double seconds = std::numeric_limits<double>::infinity();
   bool carries_normals = false, writes_json = false;
 };
