@@ -1,0 +1,345 @@
+"""Checks what the program bspline_shell writes: attributes against known functions, names and types, points that did
+not move, and manners. It reads and writes the files itself.
+
+Usage: bspline_shell_test.py BSPLINE_SHELL MESHES     (MESHES: the folder of CGAL's meshes)
+"""
+import json
+import math
+import os
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+
+program, meshes = sys.argv[1:]
+WRONG_INPUT, WRONG_USAGE, CANNOT_WRITE, NOT_CERTIFIED = 1, 2, 3, 4
+
+
+def run(*arguments):
+    return subprocess.run([program, *arguments], capture_output=True, text=True)
+
+
+def result(*arguments):
+    done = run(*arguments, "--json")
+    assert done.returncode == 0, done
+    return json.loads(done.stdout)
+
+
+def write(name, data):
+    with open(name, "wb") as file:
+        file.write(data if isinstance(data, bytes) else data.encode())
+    return name
+
+
+def read(name):
+    with open(name, "rb") as file:
+        return file.read()
+
+
+def sphere(rings=24, sectors=48):
+    """Returns points and triangles of the unit sphere."""
+    points = [(0.0, 0.0, 1.0)]
+    for i in range(1, rings):
+        for j in range(sectors):
+            t, p = math.pi * i / rings, 2 * math.pi * j / sectors
+            points.append((math.sin(t) * math.cos(p), math.sin(t) * math.sin(p), math.cos(t)))
+    points.append((0.0, 0.0, -1.0))
+    last = len(points) - 1
+    at = lambda i, j: 1 + (i - 1) * sectors + j % sectors
+    triangles = [(0, at(1, j), at(1, j + 1)) for j in range(sectors)]
+    for i in range(1, rings - 1):
+        for j in range(sectors):
+            triangles += [(at(i, j), at(i + 1, j), at(i + 1, j + 1)), (at(i, j), at(i + 1, j + 1), at(i, j + 1))]
+    triangles += [(last, at(rings - 1, j + 1), at(rings - 1, j)) for j in range(sectors)]
+    return points, triangles
+
+
+def centroid(points, triangle):
+    return [sum(points[v][a] for v in triangle) / 3 for a in range(3)]
+
+
+SIZES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I", "float": "f", "double": "d"}
+
+
+def read_ply(name):
+    """Returns comments, and for each element the types and values of its properties."""
+    data = read(name)
+    header, body = data.split(b"end_header\n", 1)
+    lines = header.decode().split("\n")
+    encoding = lines[1].split()[1]
+    comments = [line for line in lines if line.startswith(("comment", "obj_info"))]
+    elements = []
+    for line in lines:
+        words = line.split()
+        if words and words[0] == "element":
+            elements.append((words[1], int(words[2]), []))
+        elif words and words[0] == "property":
+            elements[-1][2].append((words[-1], words[1:-1]))
+    words, position = iter(body.split()) if encoding == "ascii" else None, 0
+    order = ">" if encoding == "binary_big_endian" else "<"
+
+    def number(kind):
+        nonlocal position
+        if encoding == "ascii":
+            word = next(words)
+            return struct.unpack("f", struct.pack("f", float(word)))[0] if kind == "float" else float(word) if kind == "double" else int(word)
+        position += struct.calcsize(SIZES[kind])
+        return struct.unpack_from(order + SIZES[kind], body, position - struct.calcsize(SIZES[kind]))[0]
+
+    found = {}
+    for element, size, properties in elements:
+        columns = {property: [] for property, _ in properties}
+        for _ in range(size):
+            for property, kind in properties:
+                columns[property].append([number(kind[2]) for _ in range(number(kind[1]))] if kind[0] == "list" else number(kind[0]))
+        found[element] = ({property: " ".join(kind) for property, kind in properties}, columns)
+    return encoding, comments, found
+
+
+def as_ply(encoding, points, triangles, of_points, of_triangles):
+    """of_points, of_triangles: lists of name, type, function of the position."""
+    order = ">" if encoding == "binary_big_endian" else "<"
+    header = "ply\nformat %s 1.0\ncomment units millimetre\nobj_info scan 42\nelement vertex %d\n" % (encoding, len(points))
+    header += "".join("property double %s\n" % a for a in "xyz") + "".join("property %s %s\n" % (t, n) for n, t, _ in of_points)
+    header += "element face %d\nproperty list uchar int vertex_indices\n" % len(triangles)
+    header += "".join("property %s %s\n" % (t, n) for n, t, _ in of_triangles) + "end_header\n"
+    body = b""
+    for p in points:
+        row = [("double", x) for x in p] + [(t, f(p)) for _, t, f in of_points]
+        body += pack(encoding, order, row)
+    for t in triangles:
+        c = centroid(points, t)
+        body += pack(encoding, order, [("uchar", 3)] + [("int", v) for v in t] + [(kind, f(c)) for _, kind, f in of_triangles])
+    return header.encode() + body
+
+
+def pack(encoding, order, row):
+    if encoding == "ascii":
+        return (" ".join(repr(x) for _, x in row) + "\n").encode()
+    return b"".join(struct.pack(order + SIZES[kind], x) for kind, x in row)
+
+
+def read_obj(name):
+    found = {"v": [], "vt": [], "vn": [], "f": [], "lines": []}
+    state = {"usemtl": None, "g": None, "s": None, "o": None}
+    for line in read(name).decode().split("\n"):
+        words = line.split()
+        if not words:
+            continue
+        if words[0] in ("v", "vt", "vn"):
+            found[words[0]].append([float(x) for x in words[1:]])
+        elif words[0] == "f":
+            found["f"].append(([tuple(int(i) - 1 if i else -1 for i in word.split("/")) for word in words[1:]], dict(state)))
+        elif words[0] in state:
+            state[words[0]] = line.split(None, 1)[1]
+        else:
+            found["lines"].append(line)
+    return found
+
+
+points, triangles = sphere()
+channel = lambda a: lambda p: round(127.5 + 127.5 * p[a])
+side = lambda p: 1 if p[0] > 0.01 else 2
+of_points = [("red", "uchar", channel(0)), ("green", "uchar", channel(1)), ("blue", "uchar", channel(2)),
+             ("temperature", "float", lambda p: 20 + 5 * p[0] - p[2]), ("octant", "short", lambda p: 3 if p[2] > 0 else 5)]
+of_triangles = [("material", "int", side), ("quality", "double", lambda p: p[1])]
+
+with tempfile.TemporaryDirectory() as folder:
+    path = lambda name: os.path.join(folder, name)
+
+    # PLY: each encoding, names, types, comments, and values
+    for encoding in ("ascii", "binary_little_endian", "binary_big_endian"):
+        source = write(path("in.ply"), as_ply(encoding, points, triangles, of_points, of_triangles))
+        report = result("simplify", source, "-o", path("out.ply"), "--tolerance", "1%")
+        assert report["facets"] < len(triangles) / 2 and report["certification"] == "certified", report
+        assert max(report["distance_to_result"], report["distance_to_input"]) <= 0.02, report
+        before, after = read_ply(source), read_ply(path("out.ply"))
+        assert before[:2] == after[:2] and all(before[2][e][0] == after[2][e][0] for e in ("vertex", "face")), after[:2]
+        vertex = after[2]["vertex"][1]
+        moved = 0
+        value = {p: i for i, p in enumerate(points)}
+        for i, p in enumerate(zip(*(vertex[a] for a in "xyz"))):
+            if p in value:
+                for name, kind, _ in of_points:
+                    assert vertex[name][i] == before[2]["vertex"][1][name][value[p]], (p, name)
+                continue
+            moved += 1
+            length = math.sqrt(sum(x * x for x in p))
+            q = [x / length for x in p]
+            for name, _, function in of_points[:4]:
+                allowed = 3 if name in ("red", "green", "blue") else 0.1
+                assert abs(vertex[name][i] - function(q)) <= allowed, (name, vertex[name][i], function(q))
+            assert vertex["octant"][i] == (3 if q[2] > 0 else 5) or abs(q[2]) < 0.15, q
+        assert moved < len(vertex["x"]), report
+        face = after[2]["face"][1]
+        corners = list(zip(*(vertex[a] for a in "xyz")))
+        for i, t in enumerate(face["vertex_indices"]):
+            c = centroid(corners, t)
+            # The border of the labels is kept, so that no facet lies across it by more than the tolerance.
+            assert face["material"][i] == side(c) or abs(c[0]) < 0.08, c
+            assert abs(face["quality"][i] - c[1]) < 0.1, c
+
+    # The tolerance controls the number of facets; the other targets end earlier.
+    sizes = [result("simplify", path("in.ply"), "-o", path("t.ply"), "--tolerance", t)["facets"] for t in ("0.3%", "1%", "0.06")]
+    assert sizes == sorted(sizes, reverse=True) and sizes[0] > sizes[2], sizes
+    report = result("simplify", path("in.ply"), "-o", path("t.ply"), "--facets", "1000")
+    assert report["facets"] in (999, 1000) and "number of facets" in report["limit"], report
+    report = result("simplify", path("in.ply"), "-o", path("t.ply"), "--ratio", "0.5")
+    assert abs(report["facets"] - len(triangles) / 2) <= 1, report
+
+    # OBJ: a texture with a seam, two materials, groups, and smoothing groups
+    def uv(p, near):
+        u = math.atan2(p[1], p[0]) / (2 * math.pi)
+        return u + round(near - u), p[2]
+
+    text, corner = "# made by a test\nmtllib in.mtl\no ball\n", 0
+    text += "".join("v %r %r %r\n" % p for p in points)
+    for part, name in ((1, "east"), (2, "west")):
+        text += "usemtl %s side\ng %s half\ns %d\n" % (name, name, part)
+        for t in triangles:
+            c = centroid(points, t)
+            if side(c) != part:
+                continue
+            middle = math.atan2(c[1], c[0]) / (2 * math.pi)
+            text += "".join("vt %r %r\n" % uv(points[v], middle) for v in t)
+            text += "f " + " ".join("%d/%d" % (v + 1, corner + i + 1) for i, v in enumerate(t)) + "\n"
+            corner += 3
+    materials = "newmtl east side\nKd 1 0 0\nmap_Kd pictures/east.png\nnewmtl west side\nKd 0 1 0\n"
+    write(path("in.mtl"), materials)
+    source = write(path("in.obj"), text)
+    os.mkdir(path("sub"))
+    report = result("simplify", source, "-o", path("sub/out.obj"), "--tolerance", "2%")
+    assert report["edges_on_lines"] > 0 and report["facets"] < len(triangles) / 2, report
+    assert read(path("sub/out.mtl")).decode() == materials.replace("pictures/east.png", "../pictures/east.png"), report
+    found = read_obj(path("sub/out.obj"))
+    assert "# made by a test" in found["lines"] and "mtllib out.mtl" in found["lines"], found["lines"]
+    assert report["facets_across_seams"] <= 0.02 * len(found["f"]), report
+    wrong = 0
+    for corners, state in found["f"]:
+        c = centroid(found["v"], [v[0] for v in corners])
+        part = "east" if state["usemtl"] == "east side" else "west"
+        assert state["g"] == part + " half" and state["o"] == "ball" and state["s"] == ("1" if part == "east" else "2"), state
+        middle = found["vt"][corners[0][1]][0]
+        for v, t in corners:
+            p = found["v"][v]
+            length = math.sqrt(sum(x * x for x in p))
+            expected = uv([x / length for x in p], middle)
+            if abs(p[2]) < 0.95:        # the texture is singular at the poles
+                wrong += math.dist(found["vt"][t], expected) > 0.03
+    assert wrong <= 6 * report["facets_across_seams"], (wrong, report)
+    report = result("simplify", source, "-o", path("few.obj"), "--facets", "60", "--thickness", "20%")
+    assert report["facets"] <= 60, report
+
+    # OFF with colors, and STL with solids
+    off = "COFF\n# colors\n%d %d 0\n" % (len(points), len(triangles))
+    off += "".join("%r %r %r %d %d %d 255\n" % (*p, *(channel(a)(p) for a in range(3))) for p in points)
+    off += "".join("3 %d %d %d\n" % t for t in triangles)
+    report = result("simplify", write(path("in.off"), off), "-o", path("out.off"), "--tolerance", "1%")
+    lines = read(path("out.off")).decode().split("\n")
+    assert lines[:2] == ["COFF", "# colors"], lines[:3]
+    for line in lines[3:3 + int(lines[2].split()[0])]:
+        x = [float(word) for word in line.split()]
+        length = math.sqrt(sum(a * a for a in x[:3]))
+        assert all(abs(x[3 + a] - channel(a)([b / length for b in x[:3]])) <= 3 for a in range(3)) and x[6] == 255, line
+    stl = ""
+    for part, name in ((1, "east"), (2, "west")):
+        stl += "solid %s\n" % name
+        for t in triangles:
+            if side(centroid(points, t)) == part:
+                stl += "facet normal 0 0 0\nouter loop\n" + "".join("vertex %r %r %r\n" % points[v] for v in t) + "endloop\nendfacet\n"
+        stl += "endsolid %s\n" % name
+    report = result("simplify", write(path("in.stl"), stl), "-o", path("out.stl"), "--tolerance", "2%")
+    solid, corners = None, []
+    for line in read(path("out.stl")).decode().split("\n"):
+        words = line.split()
+        if words[:1] == ["solid"]:
+            solid = words[1]
+        elif words[:1] == ["vertex"]:
+            corners.append([float(x) for x in words[1:]])
+            if len(corners) == 3:
+                c = centroid(corners, range(3))
+                assert (solid == "east") == (side(c) == 1) or abs(c[0]) < 0.1, (solid, c)
+                corners = []
+    binary = b"made by a test".ljust(80) + struct.pack("<I", len(triangles))
+    for t in triangles:
+        binary += struct.pack("<12fH", 0, 0, 0, *(x for v in t for x in points[v]), side(centroid(points, t)))
+    report = result("simplify", write(path("binary.stl"), binary), "-o", path("binary_out.stl"), "--tolerance", "2%")
+    data = read(path("binary_out.stl"))
+    assert data[:80] == binary[:80] and len(data) == 84 + 50 * report["facets"], report
+    for i in range(report["facets"]):
+        facet = struct.unpack_from("<12fH", data, 84 + 50 * i)
+        c = [(facet[3 + a] + facet[6 + a] + facet[9 + a]) / 3 for a in range(3)]
+        assert facet[12] == side(c) or abs(c[0]) < 0.1, facet
+
+    # Any format becomes any other; warnings name what is left out.
+    for source in ("in.ply", "in.obj", "in.off", "in.stl"):
+        for target in ("x.ply", "x.obj", "x.off", "x.stl"):
+            done = run("simplify", path(source), "-o", path(target), "--facets", "600")
+            assert done.returncode == 0, done
+            if (source, target) == ("in.ply", "x.stl"):
+                assert '"temperature" is left out' in done.stderr, done
+
+    # A triangle that intersects the surface is excised, and stays as it is with its label.
+    stray = [(0.9, -0.02, 0.3), (1.1, 0.0, 0.31), (0.9, 0.02, 0.32)]
+    more, labelled = points + stray, triangles + [tuple(len(points) + i for i in range(3))]
+    label = lambda p: 77 if p[0] > 0.96 and abs(p[2] - 0.31) < 1e-9 and abs(p[1]) < 1e-9 else 1
+    write(path("stray.ply"), as_ply("ascii", more, labelled, [], [("label", "int", label)]))
+    report = result("simplify", path("stray.ply"), "-o", path("stray_out.ply"), "--tolerance", "1%")
+    assert report["certification"] == "certified except for excised triangles", report
+    vertex, face = (read_ply(path("stray_out.ply"))[2][e][1] for e in ("vertex", "face"))
+    corners = list(zip(*(vertex[a] for a in "xyz")))
+    kept = [i for i, t in enumerate(face["vertex_indices"]) if sorted(corners[v] for v in t) == sorted(stray)]
+    assert len(kept) == 1 and face["label"][kept[0]] == 77, kept
+    assert report["facets"] < len(triangles) / 2, report
+
+    # check, shell, certify
+    report = result("check", path("in.ply"))
+    assert report["kind"] == "closed" and report["components"] == 1 and report["polygons"] == len(triangles), report
+    assert report["thinnest_wall"] == report["search_limit"] and report["narrow_area"] == 0, report
+    report = result("check", path("in.ply"), "--thickness", "60%")
+    assert 1.8 < report["thinnest_wall"] <= 2.01 and report["narrow_area"] == 0, report
+    report = result("check", path("stray.ply"))
+    assert report["kind"] == "excised" and report["intersecting_facets"] > 0 and report["facets"], report
+    report = result("check", os.path.join(meshes, "holes.off"))
+    assert report["kind"] == "virtually closed" and report["border_edges"] > 0, report
+    report = result("shell", path("in.ply"), "-o", path("shell"))
+    for name in report["files"]:
+        assert os.path.getsize(name) > 0, name
+    report = result("certify", path("shell.shell"), path("in.off"))
+    assert report["certified"] and set(report["claims"].values()) == {"proved"}, report
+    write(path("big.off"), "OFF\n8 12 0\n" + "".join("%d %d %d\n" % (3 * (i & 1), 3 * (i >> 1 & 1), 3 * (i >> 2)) for i in range(8))
+          + "".join("3 %d %d %d\n" % t for t in ((0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4), (1, 3, 7),
+                                                 (1, 7, 5), (3, 2, 6), (3, 6, 7), (2, 0, 4), (2, 4, 6))))
+    assert run("certify", path("shell.shell"), path("big.off")).returncode == NOT_CERTIFIED
+
+    # manners
+    for arguments in ((), ("simplify",), ("check",), ("shell",), ("certify",)):
+        done = run(*arguments, "--help")
+        assert done.returncode == 0 and "Exit codes" in done.stdout and done.stderr == "", done
+    assert run("--version").stdout.startswith("bspline_shell "), run("--version")
+    done = run("simplify", path("in.ply"), "-o", path("t.ply"), "--tolerence", "1")
+    assert done.returncode == WRONG_USAGE and "--tolerence" in done.stderr and "--tolerance" in done.stderr, done
+    done = run("simplfy", path("in.ply"))
+    assert done.returncode == WRONG_USAGE and "did you mean simplify" in done.stderr, done
+    for arguments in ((), ("simplify",), ("simplify", path("in.ply")), ("simplify", path("in.ply"), "-o", path("t.xyz")),
+                      ("simplify", path("in.ply"), "-o", path("in.ply")),
+                      ("simplify", path("in.ply"), "-o", path("t.ply"), "--tolerance", "0"),
+                      ("simplify", path("in.ply"), "-o", path("t.ply"), "--tolerance", "x%")):
+        assert run(*arguments).returncode == WRONG_USAGE, arguments
+    before = read(path("t.ply"))
+    for name, contents, said in (("missing.ply", None, "does not exist"), ("broken.off", "OFF\n3 1 0\n0 0 0\n", "broken.off, line 3"),
+                                 ("none.obj", "", "is empty"), ("points.obj", "v 0 0 0\n", "no polygons"),
+                                 ("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "not a number"),
+                                 ("index.obj", "v 0 0 0\nf 1 2 3\n", "refers to a point")):
+        done = run("simplify", path(name) if contents is None else write(path(name), contents), "-o", path("t.ply"))
+        assert done.returncode == WRONG_INPUT and said in done.stderr, done
+    assert run("simplify", path("in.ply"), "-o", path("no/such/folder/x.ply")).returncode == CANNOT_WRITE
+    assert read(path("t.ply")) == before
+    running = subprocess.Popen([program, "simplify", os.path.join(meshes, "armadillo.off"), "-o", path("t.ply")],
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    time.sleep(0.5)
+    running.send_signal(signal.SIGINT)
+    assert running.wait() != 0 and read(path("t.ply")) == before
+    assert not [name for name in os.listdir(folder) if ".part" in name], os.listdir(folder)

@@ -1,0 +1,106 @@
+// The contents of a mesh file: points, polygons, and everything that is attached to them.
+#ifndef TOOL_FILES_MODEL_H
+#define TOOL_FILES_MODEL_H
+
+#include <CGAL/Bspline_shell_3/Mesh/Polygon_soup.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace Tool {
+
+namespace BS = CGAL::Bspline_shells;
+
+enum class Element
+{
+  POINT,
+  POLYGON,
+  CORNER // corner of a polygon; numbered polygon by polygon
+};
+
+enum class Kind
+{
+  REAL,
+  LABEL,
+  NORMAL,
+  COLOR // real numbers are from 0 to 1, and integers from 0 to 255
+};
+
+enum class Number_type
+{
+  INT8,
+  UINT8,
+  INT16,
+  UINT16,
+  INT32,
+  UINT32,
+  FLOAT32,
+  FLOAT64
+};
+
+inline bool is_real(Number_type type)
+{
+  return type == Number_type::FLOAT32 || type == Number_type::FLOAT64;
+}
+
+// Values at elements of one kind. A value that the file does not give is NaN.
+struct Attribute
+{
+  std::string name;
+  Element element = Element::POINT;
+  Kind kind = Kind::REAL;
+  Number_type type = Number_type::FLOAT64;
+  std::vector<std::string> components; // names of the components
+  std::vector<double> values;          // by element, all of its components together
+  std::vector<std::string> names;      // labels that the file gives as text: the texts, by label
+
+  std::size_t dimension() const { return components.size(); }
+  const double* operator[](std::size_t element) const { return values.data() + element * dimension(); }
+  double* operator[](std::size_t element) { return values.data() + element * dimension(); }
+};
+
+struct Model
+{
+  typedef BS::Polygon_soup::Points Points;
+  typedef BS::Polygon_soup::Polygons Polygons;
+
+  BS::Polygon_soup soup;
+  std::vector<Attribute> attributes; // have the order of the file
+  std::vector<std::string> comments; // lines, with the word with which the format begins them
+  std::string materials;             // text of the material libraries of an OBJ file
+  std::string folder;                // folder of the file; texture files are relative to it
+  std::vector<std::string> files;    // the file and its material libraries
+  std::string encoding;              // name of the encoding; empty if the format has only one
+  Number_type coordinates = Number_type::FLOAT64;
+
+  // Returns the number of the first corner of each polygon, and then the number of all corners.
+  std::vector<std::size_t> first_corners() const
+  {
+    std::vector<std::size_t> first = { 0 };
+    for(const auto& polygon : soup.polygons) first.push_back(first.back() + polygon.size());
+    return first;
+  }
+  // Returns null if there is no attribute with these properties.
+  const Attribute* find(const std::string& name, Element element) const
+  {
+    for(const Attribute& a : attributes)
+      if(a.name == name && a.element == element) return &a;
+    return nullptr;
+  }
+  const Attribute* find(Kind kind, Element element) const
+  {
+    for(const Attribute& a : attributes)
+      if(a.kind == kind && a.element == element) return &a;
+    return nullptr;
+  }
+};
+
+// names that formats without names of their own use
+constexpr const char *color_name = "color", *normal_name = "normal", *texture_name = "texture",
+                     *material_name = "material", *group_name = "group", *object_name = "object",
+                     *smoothing_name = "smoothing_group", *solid_name = "solid", *facet_attribute_name = "attribute";
+
+} // namespace Tool
+
+#endif // TOOL_FILES_MODEL_H

@@ -1,0 +1,157 @@
+#include "Words.h"
+#include "numbers.h"
+#include "write_model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <numeric>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace Tool {
+
+namespace {
+
+// Lists different values at corners, as OBJ files do.
+class Indexed_values
+{
+public:
+  Indexed_values(const char* keyword, const Attribute* attribute) : m_keyword(keyword), m_attribute(attribute) {}
+
+  // Returns the index, from 1, of the value at a corner or a point, or 0 if it has none. New values are appended.
+  std::size_t index(std::size_t corner, std::size_t point, std::string& text)
+  {
+    if(m_attribute == nullptr) return 0;
+    const double* const value = (*m_attribute)[m_attribute->element == Element::CORNER ? corner : point];
+    if(std::isnan(value[0])) return 0;
+    const std::vector<double> key(value, value + m_attribute->dimension());
+    const auto found = m_index.emplace(key, m_index.size() + 1);
+    if(found.second) {
+      text += m_keyword;
+      for(double x : key) {
+        text += ' ';
+        append_number(text, x);
+      }
+      text += '\n';
+    }
+    return found.first->second;
+  }
+
+private:
+  const char* m_keyword;
+  const Attribute* m_attribute;
+  std::map<std::vector<double>, std::size_t> m_index;
+};
+
+// Returns the text of material libraries with names of texture files that are relative to another folder.
+std::string moved_materials(const std::string& text, const std::string& from, const std::string& to)
+{
+  namespace fs = std::filesystem;
+  const auto absolute = [](const std::string& folder) { return fs::absolute(folder.empty() ? "." : folder); };
+  if(absolute(from).lexically_normal() == absolute(to).lexically_normal()) return text;
+  std::string moved;
+  Lines lines(text);
+  while(lines.next()) {
+    const std::string_view keyword = lines.words[0];
+    const bool is_texture = keyword.substr(0, 4) == "map_" || keyword == "bump" || keyword == "disp"
+                            || keyword == "decal" || keyword == "norm" || keyword == "refl";
+    const fs::path name(lines.words.back());
+    if(is_texture && lines.words.size() > 1 && name.is_relative()) {
+      moved += lines.line.substr(0, std::size_t(lines.words.back().data() - lines.line.data()));
+      moved += (absolute(from) / name).lexically_normal().lexically_relative(absolute(to).lexically_normal()).string();
+    } else moved += lines.line;
+    moved += '\n';
+  }
+  return moved;
+}
+
+// A line for each state of polygons that the format has, in the order in which it is written.
+const std::array<std::pair<const char*, const char*>, 4> states = {
+  { { object_name, "o" }, { group_name, "g" }, { material_name, "usemtl" }, { smoothing_name, "s" } }
+};
+
+} // namespace
+
+void write_OBJ(const Model& model, const std::string& file, Written_files& written)
+{
+  const Attribute *colors = nullptr, *texture = nullptr, *normals = nullptr;
+  std::array<const Attribute*, 4> labels = {};
+  for(const Attribute& a : model.attributes) {
+    const Attribute** place = nullptr;
+    if(a.element == Element::POLYGON) {
+      for(std::size_t s = 0; s < states.size(); ++s)
+        if(a.kind == Kind::LABEL && a.name == states[s].first) place = &labels[s];
+      if(a.kind == Kind::LABEL && a.name == solid_name) place = &labels[1];
+    } else if(a.kind == Kind::NORMAL) place = &normals;
+    else if(a.name == texture_name && a.kind == Kind::REAL) place = &texture;
+    else if(a.kind == Kind::COLOR && a.element == Element::POINT && a.dimension() >= 3) place = &colors;
+    if(place != nullptr && *place == nullptr) *place = &a;
+    else written.warnings.push_back("The attribute \"" + a.name + "\" is left out: an OBJ file cannot hold it.");
+  }
+  if(colors != nullptr && colors->dimension() > 3)
+    written.warnings.push_back("Opacities of points are left out: an OBJ file cannot hold them.");
+
+  std::string text;
+  for(const std::string& comment : model.comments)
+    if(comment.front() == '#') text += comment + "\n";
+  const std::filesystem::path path(file);
+  if(!model.materials.empty()) {
+    const std::string library = path.stem().string() + ".mtl";
+    text += "mtllib " + library + "\n";
+    written.files.emplace_back((path.parent_path() / library).string(),
+                               moved_materials(model.materials, model.folder, path.parent_path().string()));
+  }
+  for(std::size_t n = 0; n < model.soup.points.size(); ++n) {
+    text += "v";
+    for(int axis = 0; axis < 3; ++axis) {
+      text += ' ';
+      append_number(text, model.soup.points[n][axis]);
+    }
+    for(std::size_t i = 0; i < 3 && colors != nullptr && !std::isnan((*colors)[n][i]); ++i) {
+      text += ' ';
+      append_number(text, (*colors)[n][i] * color_factor(colors->type, Number_type::FLOAT64));
+    }
+    text += '\n';
+  }
+
+  // Polygons with the same states follow each other.
+  const std::vector<std::size_t> first = model.first_corners();
+  std::vector<std::size_t> order(model.soup.polygons.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto label = [&](std::size_t s, std::size_t n) { return labels[s] != nullptr ? (*labels[s])[n][0] : 0; };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t n, std::size_t m) {
+    for(std::size_t s = 0; s < states.size(); ++s)
+      if(label(s, n) != label(s, m)) return label(s, n) < label(s, m);
+    return false;
+  });
+  Indexed_values texture_values("vt", texture), normal_values("vn", normals);
+  std::array<double, 4> current = {};
+  for(std::size_t n : order) {
+    for(std::size_t s = 0; s < states.size(); ++s) {
+      if(label(s, n) == current[s]) continue;
+      current[s] = label(s, n);
+      const auto& names = labels[s]->names;
+      const std::size_t at = std::size_t(current[s]);
+      text += std::string(states[s].second) + " " + (at < names.size() ? names[at] : std::to_string(long(current[s])));
+      text += '\n';
+    }
+    std::string line = "f";
+    for(std::size_t i = 0; i < model.soup.polygons[n].size(); ++i) {
+      const std::size_t point = model.soup.polygons[n][i], corner = first[n] + i;
+      const std::size_t vt = texture_values.index(corner, point, text), vn = normal_values.index(corner, point, text);
+      line += ' ' + std::to_string(point + 1);
+      if(vt > 0 || vn > 0) line += '/';
+      if(vt > 0) line += std::to_string(vt);
+      if(vn > 0) line += '/' + std::to_string(vn);
+    }
+    text += line + '\n';
+  }
+  written.files.insert(written.files.begin(), { file, std::move(text) });
+}
+
+} // namespace Tool

@@ -1,0 +1,34 @@
+#include "write_model.h"
+#include "read_model.h"
+
+namespace Tool {
+
+namespace {
+
+typedef void (*Writer)(const Model&, const std::string&, Written_files&);
+
+Writer writer_of(const std::string& file)
+{
+  const std::string extension = extension_of(file);
+  return extension == ".ply"   ? write_PLY
+         : extension == ".obj" ? write_OBJ
+         : extension == ".off" ? write_OFF
+         : extension == ".stl" ? write_STL
+                               : Writer();
+}
+
+} // namespace
+
+bool is_supported(const std::string& file)
+{
+  return writer_of(file) != nullptr;
+}
+
+Written_files write_model(const Model& model, const std::string& file)
+{
+  Written_files written;
+  writer_of(file)(model, file, written);
+  return written;
+}
+
+} // namespace Tool

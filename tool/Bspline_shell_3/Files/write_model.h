@@ -1,0 +1,37 @@
+// Writes mesh files.
+#ifndef TOOL_FILES_WRITE_MODEL_H
+#define TOOL_FILES_WRITE_MODEL_H
+
+#include "File_status.h"
+#include "Model.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Tool {
+
+// Files that belong together, such as an OBJ file and its material library: pairs of a name and the contents. The first
+// file has the requested name.
+struct Written_files
+{
+  std::vector<std::pair<std::string, std::string> > files;
+  std::vector<std::string> warnings; // sentences about data that the format cannot hold
+};
+
+// Returns whether models can be written to files with this name.
+bool is_supported(const std::string& file);
+
+// Returns the contents of a file, whose extension selects the format.
+// \pre `is_supported(file)`
+Written_files write_model(const Model& model, const std::string& file);
+
+// Each function returns the contents of a file of one format.
+void write_PLY(const Model& model, const std::string& file, Written_files& written);
+void write_OBJ(const Model& model, const std::string& file, Written_files& written);
+void write_OFF(const Model& model, const std::string& file, Written_files& written);
+void write_STL(const Model& model, const std::string& file, Written_files& written);
+
+} // namespace Tool
+
+#endif // TOOL_FILES_WRITE_MODEL_H

@@ -1,0 +1,26 @@
+// An upper bound of the distance between two surfaces.
+#ifndef TOOL_VERBS_DISTANCE_BOUND_H
+#define TOOL_VERBS_DISTANCE_BOUND_H
+
+#include "../Carry/Mesh_origins.h"
+
+#include <algorithm>
+
+namespace Tool {
+
+struct Distance_bounds
+{
+  double to_second = 0; // no point of the first mesh is farther than this from the second mesh
+  double to_first = 0;  // and conversely
+
+  double largest() const { return (std::max)(to_second, to_first); }
+};
+
+// Returns bounds that exceed the distances by at most about 1 %. The distance to a triangle is a convex function, so
+// that it is largest at a corner of a facet. Facets are subdivided until this bound suffices. The distance to a
+// triangle is bounded by that to one of its points, so that only the rounding of lengths has to be added.
+Distance_bounds distance_bounds(const Mesh& first, const Mesh& second);
+
+} // namespace Tool
+
+#endif // TOOL_VERBS_DISTANCE_BOUND_H
