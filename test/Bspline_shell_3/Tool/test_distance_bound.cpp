@@ -16,7 +16,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 TEST_CASE("distance_bounds: a surface has the distance zero from itself, up to the resolution")
 {
   const Mesh mesh = sphere(2, 1);
-  CHECK(Tool::distance_bounds(mesh, mesh).largest() < 1e-5);
+  CHECK(Tool::distance_bounds(mesh, mesh, 1e-6).largest() < 1e-5);
 }
 
 TEST_CASE("distance_bounds: the distance of parallel squares is their distance")
@@ -24,12 +24,12 @@ TEST_CASE("distance_bounds: the distance of parallel squares is their distance")
   Mesh low, high;
   for(Mesh* mesh : { &low, &high }) {
     const double z = mesh == &low ? 0 : 0.25;
-    const auto v = [&](double x, double y) { return mesh->add_vertex(Mesh::Point(x, y, z)); };
+    const auto v = [&](double x, double y) { return mesh->add_vertex(Point_3(x, y, z)); };
     const auto a = v(0, 0), b = v(1, 0), c = v(1, 1), d = v(0, 1);
     mesh->add_face(a, b, c);
     mesh->add_face(a, c, d);
   }
-  const Tool::Distance_bounds bounds = Tool::distance_bounds(low, high);
+  const Tool::Distance_bounds bounds = Tool::distance_bounds(low, high, 1e-6);
   CHECK(bounds.to_second == Approx(0.25));
   CHECK(bounds.to_second >= 0.25);
   CHECK(bounds.to_first >= 0.25);
@@ -40,22 +40,35 @@ TEST_CASE("distance_bounds: a small square is close to a large one, which is not
   Mesh small, large;
   for(Mesh* mesh : { &small, &large }) {
     const double s = mesh == &small ? 1 : 3;
-    const auto v = [&](double x, double y) { return mesh->add_vertex(Mesh::Point(x, y, 0)); };
+    const auto v = [&](double x, double y) { return mesh->add_vertex(Point_3(x, y, 0)); };
     const auto a = v(-s, -s), b = v(s, -s), c = v(s, s), d = v(-s, s);
     mesh->add_face(a, b, c);
     mesh->add_face(a, c, d);
   }
-  const Tool::Distance_bounds bounds = Tool::distance_bounds(small, large);
-  CHECK(bounds.to_second < 1e-5);
+  const Tool::Distance_bounds bounds = Tool::distance_bounds(small, large, 1e-3);
+  CHECK(bounds.to_second < 2e-3);
   CHECK(bounds.to_first >= std::sqrt(8.));
   CHECK(bounds.to_first < 1.02 * std::sqrt(8.));
+}
+
+TEST_CASE("distance_bounds: equal surfaces with other facets have the distance zero, up to the resolution")
+{
+  Mesh whole, cut;
+  for(Mesh* mesh : { &whole, &cut }) {
+    const auto a = mesh->add_vertex(Point_3(0, 0, 0)), b = mesh->add_vertex(Point_3(1, 0, 0)),
+               c = mesh->add_vertex(Point_3(1, 1, 0)), d = mesh->add_vertex(Point_3(0, 1, 0));
+    mesh->add_face(a, b, mesh == &whole ? c : d);
+    mesh->add_face(mesh == &whole ? a : b, c, d);
+  }
+  const double resolution = 1e-3;
+  CHECK(Tool::distance_bounds(whole, cut, resolution).largest() <= 1.01 * resolution);
 }
 
 TEST_CASE("distance_bounds: bounds are not less than CGAL's Hausdorff distance, and close to it")
 {
   const Mesh coarse = sphere(1, 1), fine = sphere(3, 1.01);
   REQUIRE(coarse.number_of_faces() != fine.number_of_faces());
-  const Tool::Distance_bounds bounds = Tool::distance_bounds(coarse, fine);
+  const Tool::Distance_bounds bounds = Tool::distance_bounds(coarse, fine, 1e-4);
   constexpr double error = 1e-3;
   const double distance = PMP::bounded_error_Hausdorff_distance<CGAL::Sequential_tag>(coarse, fine, error),
                other = PMP::bounded_error_Hausdorff_distance<CGAL::Sequential_tag>(fine, coarse, error);

@@ -191,6 +191,9 @@ TEST_CASE("STL: solids are labels, and binary files keep their header and the va
   CHECK(model.soup.points.size() == 3);
   CHECK(model.attributes[0].names == std::vector<std::string>{ "first part", "second" });
   CHECK(text_of(model, "parts.stl") == text);
+  std::string capitals = text;
+  capitals[0] = 'S';
+  CHECK(text_of(model_of("capitals.stl", capitals), "parts.stl") == text);
 
   std::string binary(80, '\0');
   binary.replace(0, 9, "a program");

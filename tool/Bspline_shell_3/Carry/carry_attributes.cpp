@@ -35,8 +35,8 @@ Mix mix_of(const Place& place, const Mesh_origins& origins)
   return mix;
 }
 
-// Returns the mean value of an attribute of polygons on each facet of the target, or the value of the largest part of
-// its area if the attribute has labels or colors.
+// Returns values of an attribute of polygons on the facets of the target. Labels and colors are those of the largest
+// part of a facet's area; other values are averaged.
 template <typename Map>
 std::vector<double> polygon_values(const Map& map, const Mesh_origins& origins, const Attribute& a)
 {

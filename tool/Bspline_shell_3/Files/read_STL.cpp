@@ -1,6 +1,7 @@
 #include "Words.h"
 #include "read_model.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -68,6 +69,13 @@ File_report read_binary(std::string_view text, Model& model)
   return {};
 }
 
+// Some programs write keywords with capital letters.
+bool is_keyword(std::string_view word, std::string_view keyword)
+{
+  const auto is_equal = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? char(a - 'A' + 'a') : a) == b; };
+  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(), is_equal);
+}
+
 File_report read_ascii(std::string_view text, Model& model)
 {
   File_report report;
@@ -75,20 +83,21 @@ File_report read_ascii(std::string_view text, Model& model)
   Attribute a{ solid_name, Element::POLYGON, Kind::LABEL, Number_type::INT32, { solid_name }, {}, {} };
   Points points(model.soup);
   Lines lines(text);
-  bool is_right = lines.next() && lines.words[0] == "solid";
+  bool is_right = lines.next() && is_keyword(lines.words[0], "solid");
   if(is_right) a.names.push_back(lines.rest());
   while(is_right && lines.next()) {
     const auto& words = lines.words;
-    if(words[0] == "solid") a.names.push_back(lines.rest());
-    else if(words[0] == "facet") {
+    if(is_keyword(words[0], "solid")) a.names.push_back(lines.rest());
+    else if(is_keyword(words[0], "facet")) {
       model.soup.polygons.emplace_back();
       a.values.push_back(double(a.names.size() - 1));
-    } else if(words[0] == "vertex") {
+    } else if(is_keyword(words[0], "vertex")) {
       std::array<double, 3> p = {};
       is_right = words.size() >= 4 && !model.soup.polygons.empty();
       for(std::size_t i = 0; i < 3 && is_right; ++i) is_right = read_number(words[i + 1], p[i]);
       if(is_right) points.add_corner(p);
-    } else if(words[0] == "endloop") is_right = !model.soup.polygons.empty() && model.soup.polygons.back().size() == 3;
+    } else if(is_keyword(words[0], "endloop"))
+      is_right = !model.soup.polygons.empty() && model.soup.polygons.back().size() == 3;
   }
   model.attributes.push_back(std::move(a));
   if(is_right) return report;

@@ -99,7 +99,9 @@ void simplify_model(const Model& model, const Simplify_target& target, Progress&
   }
   result.facets = result.mesh.number_of_faces() + excised;
   progress.show("distances", 0);
-  result.distances = distance_bounds(found.proxy ? found.proxy->soup().mesh() : found.mesh(), result.mesh);
+  constexpr double resolution = 0.02; // relative to the thickness
+  result.distances = distance_bounds(found.proxy ? found.proxy->soup().mesh() : found.mesh(), result.mesh,
+                                     resolution * target.thickness);
   if(!found.weld.is_none()) {
     result.distances.to_first += found.weld.tolerance;
     result.distances.to_second += found.weld.tolerance;

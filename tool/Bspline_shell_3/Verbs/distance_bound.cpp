@@ -36,8 +36,8 @@ struct Sample
 class One_sided_bound
 {
 public:
-  One_sided_bound(const Mesh& mesh, const Target& target, double largest_coordinate, double extent)
-    : m_mesh(mesh), m_target(target), m_largest_coordinate(largest_coordinate), m_extent(extent)
+  One_sided_bound(const Mesh& mesh, const Target& target, double largest_coordinate, double resolution)
+    : m_mesh(mesh), m_target(target), m_largest_coordinate(largest_coordinate), m_resolution(resolution)
   {
     m_samples.resize(mesh.num_vertices());
     std::vector<std::size_t> numbers(mesh.num_vertices());
@@ -59,11 +59,11 @@ public:
   // Returns a bound for all facets. Parts of facets are not subdivided if their bound is less than a known distance.
   double operator()() const
   {
-    constexpr double excess = 1.01, resolution = 1e-6, rounding = 64 * std::numeric_limits<double>::epsilon();
+    constexpr double excess = 1.01, rounding = 64 * std::numeric_limits<double>::epsilon();
     std::vector<double> bound(m_mesh.num_faces());
     std::vector<std::size_t> numbers(bound.size());
     for(std::size_t n = 0; n < numbers.size(); ++n) numbers[n] = n;
-    const double known = (std::max)(excess * farthest_vertex(), resolution * m_extent);
+    const double known = (std::max)(excess * farthest_vertex(), m_resolution);
     CGAL::for_each<CGAL::Parallel_if_available_tag>(numbers, [&](std::size_t& n) {
       std::array<Sample, 3> corners;
       std::size_t i = 0;
@@ -126,23 +126,21 @@ private:
 
   const Mesh& m_mesh;
   const Target& m_target;
-  double m_largest_coordinate, m_extent;
+  double m_largest_coordinate, m_resolution;
   std::vector<Sample> m_samples; // by vertex
 };
 
 } // namespace
 
-Distance_bounds distance_bounds(const Mesh& first, const Mesh& second)
+Distance_bounds distance_bounds(const Mesh& first, const Mesh& second, double resolution)
 {
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(first) + CGAL::Polygon_mesh_processing::bbox(second);
-  double largest = 0, extent = 0;
-  for(int axis = 0; axis < 3; ++axis) {
+  double largest = 0; // coordinate
+  for(int axis = 0; axis < 3; ++axis)
     largest = (std::max)({ largest, std::abs((box.min)(axis)), std::abs((box.max)(axis)) });
-    extent = (std::max)(extent, (box.max)(axis) - (box.min)(axis));
-  }
   const Target first_target(first, first.points()), second_target(second, second.points());
-  return { One_sided_bound(first, second_target, largest, extent)(),
-           One_sided_bound(second, first_target, largest, extent)() };
+  return { One_sided_bound(first, second_target, largest, resolution)(),
+           One_sided_bound(second, first_target, largest, resolution)() };
 }
 
 } // namespace Tool

@@ -16,10 +16,11 @@ struct Distance_bounds
   double largest() const { return (std::max)(to_second, to_first); }
 };
 
-// Returns bounds that exceed the distances by at most about 1 %. The distance to a triangle is a convex function, so
-// that it is largest at a corner of a facet. Facets are subdivided until this bound suffices. The distance to a
-// triangle is bounded by that to one of its points, so that only the rounding of lengths has to be added.
-Distance_bounds distance_bounds(const Mesh& first, const Mesh& second);
+// Returns bounds that exceed the distances by at most about 1 %, or by the resolution if it is larger. The distance to
+// a triangle is a convex function, so that it is largest at a corner of a facet. Facets are subdivided until this bound
+// suffices. The distance to a triangle is bounded by that to one of its points, so that only the rounding of lengths
+// has to be added.
+Distance_bounds distance_bounds(const Mesh& first, const Mesh& second, double resolution);
 
 } // namespace Tool
 
