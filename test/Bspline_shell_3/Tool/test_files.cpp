@@ -203,7 +203,11 @@ TEST_CASE("STL: solids are labels, and binary files keep their header and the va
   binary.append(reinterpret_cast<const char*>(&size), sizeof size);
   binary.append(reinterpret_cast<const char*>(numbers), sizeof numbers);
   binary.append(reinterpret_cast<const char*>(&value), sizeof value);
-  CHECK(text_of(model_of("binary.stl", binary), "binary.stl") == binary);
+  const Model stl = model_of("binary.stl", binary);
+  CHECK(text_of(stl, "binary.stl") == binary);
+  const Model ply = model_of("binary.ply", text_of(stl, "binary.ply"));
+  CHECK(ply.soup.points == stl.soup.points);
+  CHECK(ply.encoding == "binary_little_endian");
 }
 
 TEST_CASE("Warnings name the attributes that a format cannot hold")

@@ -71,7 +71,8 @@ std::vector<std::string> property_names(const Attribute& attribute)
 
 void write_PLY(const Model& model, const std::string& file, Written_files& written)
 {
-  const bool is_of_format = !model.encoding.empty();
+  // A binary STL file has the encoding "binary", and comments that a PLY file cannot hold.
+  const bool is_of_format = model.encoding == "ascii" || model.encoding.compare(0, 7, "binary_") == 0;
   const std::string encoding = is_of_format ? model.encoding : "binary_little_endian";
   std::string text = "ply\nformat " + encoding + " 1.0\n";
   const auto is_texture = [](const Attribute& a) { return a.name == texture_name && a.dimension() == 2; };
