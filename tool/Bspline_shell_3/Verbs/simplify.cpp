@@ -185,7 +185,8 @@ int simplify(const Simplify_options& options)
   std::cout << "facets      " << result->facets << " of " << result->facets_before << "\n"
             << "distance    at most " << number(result->distances.largest()) << " between any point of one surface and "
             << "the other (" << number(100 * result->distances.largest() / longest_side(model)) << " % of the box)\n"
-            << "map         one-to-one, " << name(found.certification()) << "; " << name(found.kind()) << "\n";
+            << "map         one-to-one" << (found.proxy ? " from the proxy" : "") << ", " << name(found.certification())
+            << "; " << name(found.kind()) << "\n";
   if(found.excised) std::cout << "excised     " << found.excision_message() << "\n";
   if(found.proxy) std::cout << "proxy       " << found.mesh_message() << "\n";
   if(!names.empty()) {
