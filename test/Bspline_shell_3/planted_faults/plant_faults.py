@@ -264,7 +264,7 @@ def run(command, **options):
 
 def build(source, build_folder, jobs):
     # Assertions are off; proofs do not depend on them.
-    options = ["-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DBUILD_TESTING=ON", "-DBSPLINE_SHELL_3_EXAMPLES=OFF",
+    options = ["-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DBUILD_TESTING=ON", "-DBSPLINE_SHELL_3_EXAMPLES=OFF", "-DBSPLINE_SHELL_3_TOOL=OFF",
                "-DBSPLINE_SHELL_3_BENCHMARKS=ON", "-DCMAKE_DISABLE_FIND_PACKAGE_Doxygen=ON", "-DCMAKE_CXX_FLAGS=-include " + os.path.join(source, "planted_fault.h")]
     if shutil.which("ccache"):
         options.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
