@@ -1,72 +1,23 @@
-#include "Exit_code.h"
 #include "Input.h"
 #include "Json.h"
-#include "Progress.h"
 #include "Result_files.h"
-#include "Simplified.h"
 #include "verbs.h"
 
 #include "../Carry/carry_attributes.h"
+#include "../Files/File_status.h"
 #include "../Files/write_model.h"
 
 #include <CGAL/Bspline_shell_3/Soup/provenance.h>
 
-#include <CGAL/Real_timer.h>
-
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <iostream>
-#include <memory>
-#include <utility>
+#include <string>
+#include <vector>
 
 namespace Tool {
 
 namespace {
-
-constexpr double default_thickness = 0.01; // fraction of the longest side of the bounding box
-
-// Simplifies a model, and returns the result and the thickness of its shell. With a tolerance, several
-// thicknesses are tried, and the result with the fewest facets is returned. The distance to a result is about as large
-// as the thickness: thicker shells are tried while much of the tolerance is left, and thinner ones while it is
-// exceeded.
-std::pair<std::unique_ptr<Simplified>, double> simplify_model(const Model& model, const Simplify_options& options,
-                                                              Progress& progress)
-{
-  constexpr int attempts = 4;
-  constexpr double aim = 0.9, slack = 0.75; // fractions of the tolerance
-  const double unit = longest_side(model);
-  const double tolerance = options.tolerance ? options.tolerance->in_box(unit) : 0;
-  CGAL::Real_timer timer;
-  timer.start();
-  Simplify_target target;
-  target.thickness = options.thickness   ? options.thickness->in_box(unit)
-                     : options.tolerance ? tolerance
-                                         : default_thickness * unit;
-  target.facets = options.facets > 0 ? options.facets
-                                     : std::size_t(std::ceil(options.ratio * double(model.soup.polygons.size())));
-  target.rounds_coordinates = model.coordinates == Number_type::FLOAT32;
-  std::pair<std::unique_ptr<Simplified>, double> best;
-  bool is_kept = false; // whether the best result keeps the tolerance
-  for(int attempt = 0; attempt < attempts; ++attempt) {
-    target.seconds = options.seconds - timer.time();
-    if(attempt > 0 && !(target.seconds > 0)) break;
-    auto result = std::make_unique<Simplified>();
-    simplify_model(model, target, progress, *result);
-    progress.clear();
-    const bool is_simplified = result->status == Simplify_status::SUCCESS;
-    if(is_kept && !is_simplified) break;
-    const double distance = result->distances.largest(), thickness = target.thickness;
-    const bool keeps_tolerance = is_simplified && distance <= tolerance;
-    const bool may_continue = is_simplified && options.tolerance && !options.thickness && !result->found.proxy
-                              && distance > 0 && (!keeps_tolerance || result->end == BS::Edit_termination::SHELL);
-    target.thickness *= aim * tolerance / distance;
-    if(!is_kept || (keeps_tolerance && result->facets < best.first->facets)) best = { std::move(result), thickness };
-    const bool was_kept = std::exchange(is_kept, is_kept || keeps_tolerance);
-    if(!may_continue || (keeps_tolerance && distance > slack * tolerance) || (was_kept && !keeps_tolerance)) break;
-  }
-  return best;
-}
 
 std::string number(double x)
 {
@@ -76,18 +27,21 @@ std::string number(double x)
 }
 
 // Returns which limit ended the simplification, and which one would allow fewer facets.
-std::string limit_message(const Simplify_options& options, const Simplified& result, double thickness)
+std::string message_of_limit(const Simplified& result)
 {
-  if(result.end == BS::Edit_termination::STOP_PREDICATE)
-    return "The requested number of facets ended the simplification.";
-  if(result.end == BS::Edit_termination::MESH) return message(result.end);
-  if(result.end == BS::Edit_termination::FILTER)
-    return "Seams, borders of labels, or excised triangles ended the simplification; --facets gives up seams and "
-           "borders if necessary.";
-  const bool has_tolerance = options.tolerance && !options.thickness;
-  return has_tolerance ? "The tolerance ended the simplification: a larger --tolerance allows fewer facets."
-                       : "The shell ended the simplification: a larger --thickness than " + number(thickness)
-                           + " allows fewer facets.";
+  switch(result.limit) {
+    case Limit::FACETS: return "The requested number of facets ended the simplification.";
+    case Limit::TOLERANCE: return "The tolerance ended the simplification: a larger --tolerance allows fewer facets.";
+    case Limit::TIME: return "The time limit ended the simplification: a larger --time-limit allows fewer facets.";
+    case Limit::SHELL:
+      return "The shell ended the simplification: a larger --thickness than " + number(result.thickness)
+             + " may allow fewer facets.";
+    case Limit::LINES:
+      return "Seams, borders of labels, or excised triangles ended the simplification; --facets gives up seams and "
+             "borders of labels if this reaches the number.";
+    case Limit::MESH: return "No edge is left that can be collapsed without changing the topology or a border.";
+  }
+  return "";
 }
 
 Json changes(const Model& model, const BS::Shell_of_soup_3& found)
@@ -100,109 +54,121 @@ Json changes(const Model& model, const BS::Shell_of_soup_3& found)
   return json;
 }
 
+struct Summary
+{
+  std::vector<std::string> attributes, warnings;
+  Carry_report carried;
+  bool reaches_target;
+  double longest_side, seconds;
+};
+
+void print_json(const Simplify_options& options, const Model& model, const Simplified& result, const Summary& summary)
+{
+  const BS::Shell_of_soup_3& found = *result.found;
+  Json json;
+  json.add("input", options.input)
+    .add("output", options.output)
+    .add("certification", name(found.certification()))
+    .add("kind", name(found.kind()))
+    .add("facets_before", result.facets_before)
+    .add("facets", result.facets)
+    .add("reaches_target", summary.reaches_target)
+    .add("distance_to_result", result.distances.to_second)
+    .add("distance_to_input", result.distances.to_first)
+    .add("thickness", result.thickness)
+    .add("limit", message_of_limit(result))
+    .add("polygons", changes(model, found))
+    .add("attributes", summary.attributes)
+    .add("warnings", summary.warnings)
+    .add("edges_on_lines", result.lines)
+    .add("keeps_lines", result.keeps_lines)
+    .add("removed_border_edges", result.removed_border_edges)
+    .add("facets_across_seams", summary.carried.facets_across_seams)
+    .add("points_without_image", summary.carried.points_without_image)
+    .add("seconds", summary.seconds);
+  std::cout << json.text() << std::endl;
+}
+
+void print(const Model& model, const Simplified& result, const Summary& summary)
+{
+  const BS::Shell_of_soup_3& found = *result.found;
+  const double distance = result.distances.largest();
+  const std::size_t polygons = model.soup.polygons.size();
+  std::cout << "facets      " << result.facets << " of " << result.facets_before
+            << (polygons == result.facets_before ? "" : " (" + std::to_string(polygons) + " polygons)")
+            << (summary.reaches_target ? "" : ": the requested number is not reached") << "\n"
+            << "distance    at most " << number(distance) << " between any point of one surface and the other ("
+            << number(100 * distance / summary.longest_side) << " % of the box)\n"
+            << "map         one-to-one" << (found.proxy ? " from the proxy" : "")
+            << (result.removed_border_edges > 0 ? ", except for strips along the border" : "") << ", "
+            << name(found.certification()) << "; " << name(found.kind()) << "\n";
+  const std::string welding = message(found.weld);
+  if(!welding.empty()) std::cout << "welding     " << with_options(welding) << "\n";
+  if(found.excised) std::cout << "excised     " << with_options(found.excision_message()) << "\n";
+  if(found.proxy) std::cout << "proxy       " << with_options(found.mesh_message()) << "\n";
+  if(!summary.attributes.empty()) {
+    std::cout << "attributes ";
+    for(const std::string& name : summary.attributes) std::cout << " " << name;
+    std::cout << "\n";
+  }
+  if(summary.carried.facets_across_seams > 0)
+    std::cout << "seams       " << summary.carried.facets_across_seams << " facets lie across a seam\n";
+  if(summary.carried.points_without_image > 0)
+    std::cout << "            " << summary.carried.points_without_image
+              << " points have the values of the nearest points\n";
+  if(!result.keeps_lines) std::cout << "lines       were not kept, because the requested number of facets needs them\n";
+  if(result.removed_border_edges > 0)
+    std::cout << "border      has " << result.removed_border_edges << " edges fewer\n";
+  if(model.coordinates == Number_type::FLOAT32 && !result.is_rounded)
+    std::cout << "coordinates are of type double, because rounding to float would invalidate the proof\n";
+  std::cout << "limit       " << message_of_limit(result) << std::endl;
+}
+
 } // namespace
 
-int simplify(const Simplify_options& options)
+Outcome simplify(const Simplify_options& options, bool writes_json)
 {
+  if(!is_supported(options.output)) return { WRONG_USAGE, options.output, message(File_status::UNSUPPORTED) };
+  if(is_same_file(options.input, options.output))
+    return { WRONG_USAGE, options.output, "The result would replace the input: choose another name." };
   Model model;
-  if(!is_supported(options.output)) {
-    complain(options.output, message(File_status::UNSUPPORTED));
-    return WRONG_USAGE;
-  }
-  if(is_same_file(options.input, options.output)) {
-    complain(options.output, "The result would replace the input: choose another name.");
-    return WRONG_USAGE;
-  }
-  if(!read_input(options.input, model)) return WRONG_INPUT;
-  if(!is_writable(options.output)) {
-    complain(options.output, message(File_status::CANNOT_WRITE));
-    return CANNOT_WRITE;
-  }
+  if(const Outcome read = read_input(options.input, model); !read) return read;
+  if(!is_writable(options.output)) return { CANNOT_WRITE, options.output, message(File_status::CANNOT_WRITE) };
 
-  CGAL::Real_timer timer;
-  timer.start();
+  const Time_limit time(options.seconds);
   Progress progress;
-  const auto [result, thickness] = simplify_model(model, options, progress);
-  const BS::Shell_of_soup_3& found = result->found;
-  if(result->status != Simplify_status::SUCCESS) {
-    complain(options.input, result->message, found.offending_simplices);
-    return result->status == Simplify_status::NO_SHELL ? WRONG_INPUT : NOT_CERTIFIED;
-  }
-  if(options.tolerance && result->distances.largest() > options.tolerance->in_box(longest_side(model))) {
-    complain(options.input,
-             "The tolerance is not kept: the distance is at most " + number(result->distances.largest()) + ". "
-               + (found.proxy
-                    ? "The polygons are not a mesh, so that a proxy around them was simplified. " + found.mesh_message()
-                    : "Use a thinner shell (--thickness)."));
-    return NOT_CERTIFIED;
-  }
+  Simplified result;
+  if(const Outcome simplified = simplify_model(model, options, time, progress, result); !simplified) return simplified;
+  const BS::Shell_of_soup_3& found = *result.found;
+  Summary summary;
+  summary.longest_side = longest_side(model);
+  const double tolerance = options.tolerance ? options.tolerance->in_box(summary.longest_side) : 0;
+  if(options.tolerance && result.distances.largest() > tolerance)
+    return { NOT_CERTIFIED, options.input,
+             "The tolerance is not kept: the distance is at most " + number(result.distances.largest()) + ". "
+               + (found.proxy ? "The polygons are not a mesh, so that a proxy around them was simplified. "
+                                  + with_options(found.mesh_message())
+                              : std::string("Use a larger --tolerance.")) };
 
-  Carry_report carried;
-  Model output = carry_attributes(model, found, result->mesh, result->rejoined,
-                                  options.carries_normals ? Normals::CARRIED : Normals::RECOMPUTED, carried,
+  Model output = carry_attributes(model, found, result.mesh, result.closing, result.rejoined,
+                                  options.carries_normals ? Normals::CARRIED : Normals::RECOMPUTED, summary.carried,
                                   [&](double fraction) { progress.show("attributes", fraction); });
   progress.clear();
   const Written_files written = write_model(output, options.output);
   for(const auto& file : written.files)
     if(std::any_of(model.files.begin(), model.files.end(),
-                   [&](const std::string& input) { return is_same_file(file.first, input); })) {
-      complain(file.first, "The result would replace a part of the input: choose another name.");
-      return WRONG_USAGE;
-    }
+                   [&](const std::string& input) { return is_same_file(file.first, input); }))
+      return { WRONG_USAGE, file.first, "The result would replace a part of the input: choose another name." };
   const std::string failed = write_files(written.files);
-  if(!failed.empty()) {
-    complain(failed, message(File_status::CANNOT_WRITE));
-    return CANNOT_WRITE;
-  }
+  if(!failed.empty()) return { CANNOT_WRITE, failed, message(File_status::CANNOT_WRITE) };
 
   for(const std::string& warning : written.warnings) std::cerr << options.output << ": " << warning << "\n";
-  const std::string limit = limit_message(options, *result, thickness);
-  std::vector<std::string> names;
-  for(const Attribute& a : output.attributes) names.push_back(a.name);
-  if(options.writes_json) {
-    Json json;
-    json.add("input", options.input)
-      .add("output", options.output)
-      .add("certification", name(found.certification()))
-      .add("kind", name(found.kind()))
-      .add("facets_before", result->facets_before)
-      .add("facets", result->facets)
-      .add("distance_to_result", result->distances.to_second)
-      .add("distance_to_input", result->distances.to_first)
-      .add("thickness", thickness)
-      .add("limit", limit)
-      .add("polygons", changes(model, found))
-      .add("attributes", names)
-      .add("warnings", written.warnings)
-      .add("edges_on_lines", result->lines)
-      .add("gave_up_lines", result->gave_up_lines)
-      .add("facets_across_seams", carried.facets_across_seams)
-      .add("points_without_image", carried.points_without_image)
-      .add("seconds", timer.time());
-    std::cout << json.text() << std::endl;
-    return DONE;
-  }
-  std::cout << "facets      " << result->facets << " of " << result->facets_before << "\n"
-            << "distance    at most " << number(result->distances.largest()) << " between any point of one surface and "
-            << "the other (" << number(100 * result->distances.largest() / longest_side(model)) << " % of the box)\n"
-            << "map         one-to-one" << (found.proxy ? " from the proxy" : "") << ", " << name(found.certification())
-            << "; " << name(found.kind()) << "\n";
-  if(found.excised) std::cout << "excised     " << found.excision_message() << "\n";
-  if(found.proxy) std::cout << "proxy       " << found.mesh_message() << "\n";
-  if(!names.empty()) {
-    std::cout << "attributes ";
-    for(const std::string& name : names) std::cout << " " << name;
-    std::cout << "\n";
-  }
-  if(carried.facets_across_seams > 0)
-    std::cout << "seams       " << carried.facets_across_seams << " facets lie across a seam\n";
-  if(carried.points_without_image > 0)
-    std::cout << "            " << carried.points_without_image << " points have the values of the nearest points\n";
-  if(result->gave_up_lines)
-    std::cout << "lines       were not kept, because the requested number of facets needs them\n";
-  if(model.coordinates == Number_type::FLOAT32 && !result->is_rounded)
-    std::cout << "coordinates are of type double, because rounding to float would invalidate the proof\n";
-  std::cout << "limit       " << limit << std::endl;
+  summary.warnings = written.warnings;
+  for(const Attribute& a : output.attributes) summary.attributes.push_back(a.name);
+  summary.reaches_target = (options.facets == 0 && options.ratio == 0) || result.limit == Limit::FACETS;
+  summary.seconds = time.seconds();
+  if(writes_json) print_json(options, model, result, summary);
+  else print(model, result, summary);
   return DONE;
 }
 

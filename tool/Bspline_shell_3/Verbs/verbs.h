@@ -1,50 +1,24 @@
-// The verbs of the program. Each function returns an exit code.
+// The verbs of the program. They print their results.
 #ifndef TOOL_VERBS_VERBS_H
 #define TOOL_VERBS_VERBS_H
 
-#include "Length.h"
+#include "Outcome.h"
+#include "find_shell.h"
+#include "simplify_model.h"
 
-#include <cstddef>
-#include <limits>
-#include <optional>
 #include <string>
 
 namespace Tool {
 
-struct Simplify_options
+struct Simplify_options : Edit_options
 {
-  std::string input, output;
-  std::optional<Length> tolerance, thickness;
-  std::size_t facets = 0; // 0 if there is no target
-  double ratio = 0;       // 0 if there is no target
-  double seconds = std::numeric_limits<double>::infinity();
-  bool carries_normals = false, writes_json = false;
+  std::string output;
+  bool carries_normals = false;
 };
-int simplify(const Simplify_options& options);
-
-struct Shell_options
-{
-  std::string input, prefix;
-  std::optional<Length> thickness;
-  double seconds = std::numeric_limits<double>::infinity();
-  bool writes_json = false;
-};
-int shell(const Shell_options& options);
-
-struct Check_options
-{
-  std::string input;
-  std::optional<Length> thickness;
-  bool writes_json = false;
-};
-int check(const Check_options& options);
-
-struct Certify_options
-{
-  std::string shell, mesh;
-  bool writes_json = false;
-};
-int certify(const Certify_options& options);
+Outcome simplify(const Simplify_options& options, bool writes_json);
+Outcome shell(const Shell_options& options, const std::string& prefix, bool writes_json);
+Outcome check(const Shell_options& options, bool writes_json);
+Outcome certify(const std::string& shell, const std::string& mesh, bool writes_json);
 
 } // namespace Tool
 
