@@ -1,4 +1,5 @@
 // The command-line program: simplifies meshes in files with everything that is in them, and proves the result.
+#include "Files/Words.h"
 #include "Verbs/Exit_code.h"
 #include "Verbs/verbs.h"
 
@@ -90,9 +91,17 @@ void add_common(CLI::App& verb, bool& writes_json)
   verb.footer(Tool::exit_codes);
 }
 
+// Replaces a validator of CLI11 whose message has the largest number, with all of its digits.
+const CLI::Validator positive(
+  [](std::string& text) {
+    double x = 0;
+    return Tool::read_number(text, x) && x > 0 ? std::string() : text + " is not a positive number.";
+  },
+  "POSITIVE");
+
 void add_time_limit(CLI::App& verb, double& seconds)
 {
-  verb.add_option("--time-limit", seconds, "Time limit in seconds")->check(CLI::PositiveNumber);
+  verb.add_option("--time-limit", seconds, "Time limit in seconds")->check(positive);
 }
 
 } // namespace
@@ -117,9 +126,8 @@ int main(int argc, char** argv)
   verb->add_option("-o,--output", simplify.output, "The result; its extension selects the format")->required();
   add_length(*verb, "--tolerance", simplify.tolerance,
              "No point of either surface is farther from the other (default: none)");
-  auto* facets = verb->add_option("--facets", simplify.facets, "Stop at this number of facets")
-                   ->check(CLI::PositiveNumber);
-  verb->add_option("--ratio", simplify.ratio, "Stop at this fraction of the number of polygons")
+  auto* facets = verb->add_option("--facets", simplify.facets, "Stop at this number of facets")->check(positive);
+  verb->add_option("--ratio", simplify.ratio, "Stop at this fraction of the number of triangles")
     ->check(CLI::Range(0., 1.))
     ->excludes(facets);
   add_length(*verb, "--thickness", simplify.thickness,

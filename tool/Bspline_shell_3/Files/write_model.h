@@ -16,7 +16,15 @@ namespace Tool {
 struct Written_files
 {
   std::vector<std::pair<std::string, std::string> > files;
-  std::vector<std::string> warnings; // sentences about data that the format cannot hold
+  std::vector<std::string> attributes; // names of the attributes that the files hold
+  std::vector<std::string> warnings;   // sentences about data that the format cannot hold
+
+  void hold(const Attribute& a) { attributes.push_back(a.name); }
+  // \param format with its article
+  void leave_out(const Attribute& a, const std::string& format)
+  {
+    warnings.push_back("The attribute \"" + a.name + "\" is left out: " + format + " cannot hold it.");
+  }
 };
 
 // Returns whether models can be written to files with this name.

@@ -26,6 +26,14 @@ namespace {
 
 constexpr double default_thickness = 0.01; // fraction of the longest side of the bounding box
 
+// Returns the number of triangles into which the polygons are split.
+std::size_t number_of_triangles(const Model& model)
+{
+  std::size_t number = 0;
+  for(const auto& polygon : model.soup.polygons) number += polygon.size() < 3 ? 0 : polygon.size() - 2;
+  return number;
+}
+
 // Simplifies a model, and returns the result and the thickness of its shell. With a tolerance, several
 // thicknesses are tried, and the result with the fewest facets is returned. The distance to a result is about as large
 // as the thickness: thicker shells are tried while much of the tolerance is left, and thinner ones while it is
@@ -44,7 +52,7 @@ std::pair<std::unique_ptr<Simplified>, double> simplify_model(const Model& model
                      : options.tolerance ? tolerance
                                          : default_thickness * unit;
   target.facets = options.facets > 0 ? options.facets
-                                     : std::size_t(std::ceil(options.ratio * double(model.soup.polygons.size())));
+                                     : std::size_t(std::ceil(options.ratio * double(number_of_triangles(model))));
   target.rounds_coordinates = model.coordinates == Number_type::FLOAT32;
   std::pair<std::unique_ptr<Simplified>, double> best;
   bool is_kept = false; // whether the best result keeps the tolerance
@@ -157,8 +165,6 @@ int simplify(const Simplify_options& options)
 
   for(const std::string& warning : written.warnings) std::cerr << options.output << ": " << warning << "\n";
   const std::string limit = limit_message(options, *result, thickness);
-  std::vector<std::string> names;
-  for(const Attribute& a : output.attributes) names.push_back(a.name);
   if(options.writes_json) {
     Json json;
     json.add("input", options.input)
@@ -172,7 +178,7 @@ int simplify(const Simplify_options& options)
       .add("thickness", thickness)
       .add("limit", limit)
       .add("polygons", changes(model, found))
-      .add("attributes", names)
+      .add("attributes", written.attributes)
       .add("warnings", written.warnings)
       .add("edges_on_lines", result->lines)
       .add("gave_up_lines", result->gave_up_lines)
@@ -182,16 +188,21 @@ int simplify(const Simplify_options& options)
     std::cout << json.text() << std::endl;
     return DONE;
   }
-  std::cout << "facets      " << result->facets << " of " << result->facets_before << "\n"
+  const bool is_split = number_of_triangles(model) != model.soup.polygons.size();
+  std::cout << "facets      " << result->facets << " of " << result->facets_before
+            << (is_split ? " triangles, into which the " + std::to_string(model.soup.polygons.size())
+                             + " polygons of the file are split"
+                         : "")
+            << "\n"
             << "distance    at most " << number(result->distances.largest()) << " between any point of one surface and "
             << "the other (" << number(100 * result->distances.largest() / longest_side(model)) << " % of the box)\n"
             << "map         one-to-one" << (found.proxy ? " from the proxy" : "") << ", " << name(found.certification())
             << "; " << name(found.kind()) << "\n";
   if(found.excised) std::cout << "excised     " << found.excision_message() << "\n";
   if(found.proxy) std::cout << "proxy       " << found.mesh_message() << "\n";
-  if(!names.empty()) {
+  if(!written.attributes.empty()) {
     std::cout << "attributes ";
-    for(const std::string& name : names) std::cout << " " << name;
+    for(const std::string& name : written.attributes) std::cout << " " << name;
     std::cout << "\n";
   }
   if(carried.facets_across_seams > 0)
