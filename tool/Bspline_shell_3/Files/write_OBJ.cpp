@@ -1,3 +1,5 @@
+#include "GLTF_assets.h"
+#include "MTL.h"
 #include "Words.h"
 #include "name_beside.h"
 #include "numbers.h"
@@ -49,47 +51,6 @@ private:
   std::map<std::vector<double>, std::size_t> m_index;
 };
 
-// Returns the name of the texture file in a line of a material library, which follows options and may have spaces. The
-// name is a part of the line; it is empty if the line does not name a texture.
-std::string_view texture_of(const Lines& lines)
-{
-  const std::string_view keyword = lines.words[0];
-  const bool is_texture = keyword.substr(0, 4) == "map_" || keyword == "bump" || keyword == "disp" || keyword == "decal"
-                          || keyword == "norm" || keyword == "refl";
-  if(!is_texture) return {};
-  std::size_t w = 1;
-  while(w < lines.words.size() && lines.words[w].size() > 1 && lines.words[w].front() == '-') {
-    const std::string_view option = lines.words[w++];
-    double number;
-    if(option == "-o" || option == "-s" || option == "-t") {
-      for(int i = 0; i < 3 && w < lines.words.size() && read_number(lines.words[w], number); ++i) ++w;
-    } else w += option == "-mm" ? 2 : 1;
-  }
-  if(w >= lines.words.size()) return {};
-  const char* const begin = lines.words[w].data();
-  return { begin, std::size_t(lines.words.back().data() + lines.words.back().size() - begin) };
-}
-
-// Returns the text of material libraries with names of texture files that are relative to another folder.
-std::string moved_materials(const std::string& text, const std::string& from, const std::string& to)
-{
-  namespace fs = std::filesystem;
-  const auto absolute = [](const std::string& folder) { return fs::absolute(folder.empty() ? "." : folder); };
-  if(absolute(from).lexically_normal() == absolute(to).lexically_normal()) return text;
-  std::string moved;
-  Lines lines(text);
-  while(lines.next()) {
-    const std::string_view texture = texture_of(lines);
-    const fs::path name(texture);
-    if(!texture.empty() && name.is_relative()) {
-      moved += lines.line.substr(0, std::size_t(texture.data() - lines.line.data()));
-      moved += (absolute(from) / name).lexically_normal().lexically_relative(absolute(to).lexically_normal()).string();
-    } else moved += lines.line;
-    moved += '\n';
-  }
-  return moved;
-}
-
 // A line for each state of polygons that the format has, in the order in which it is written.
 const std::array<std::pair<const char*, const char*>, 4> states = {
   { { object_name, "o" }, { group_name, "g" }, { material_name, "usemtl" }, { smoothing_name, "s" } }
@@ -122,9 +83,13 @@ void write_OBJ(const Model& model, const std::string& file, Written_files& writt
   for(const std::string& comment : model.comments)
     if(comment.front() == '#') text += comment + "\n";
   const std::filesystem::path path(file);
-  if(!model.materials.empty()) {
+  if(model.has_materials()) {
     const std::string usual = path.stem().string() + ".mtl";
-    std::string materials = moved_materials(model.materials, model.folder, path.parent_path().string());
+    std::string materials = model.assets != nullptr
+                              ? MTL_of_assets(*model.assets, model.folder, file, written)
+                              : moved_materials(model.materials, model.folder, path.parent_path().string());
+    if(model.assets != nullptr)
+      written.warnings.push_back("Of materials, an OBJ file holds only names, colors, opacities, and color textures.");
     const std::string library = name_beside(file, ".mtl", materials);
     if(library != usual)
       written.warnings.push_back("The material library is " + library + ", because " + usual

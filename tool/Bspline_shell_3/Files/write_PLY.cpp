@@ -90,8 +90,7 @@ void write_PLY(const Model& model, const std::string& file, Written_files& writt
     }
     written.hold(a);
   }
-  if(!model.materials.empty())
-    written.warnings.push_back("The material library is left out: a PLY file cannot hold it.");
+  if(model.has_materials()) written.warnings.push_back("The material library is left out: a PLY file cannot hold it.");
 
   const auto properties = [&](const Attribute& a) { return is_of_format ? a.components : property_names(a); };
   if(is_of_format)

@@ -30,6 +30,9 @@ struct Written_files
 // Returns whether models can be written to files with this name.
 bool is_supported(const std::string& file);
 
+// Returns whether all coordinates in a file with this name have single precision.
+bool has_single_precision(const std::string& file);
+
 // Returns the contents of a file, whose extension selects the format.
 // \pre `is_supported(file)`
 Written_files write_model(const Model& model, const std::string& file);
@@ -39,6 +42,7 @@ void write_PLY(const Model& model, const std::string& file, Written_files& writt
 void write_OBJ(const Model& model, const std::string& file, Written_files& written);
 void write_OFF(const Model& model, const std::string& file, Written_files& written);
 void write_STL(const Model& model, const std::string& file, Written_files& written);
+void write_GLTF(const Model& model, const std::string& file, Written_files& written); // GLB for the extension .glb
 
 } // namespace Tool
 

@@ -53,7 +53,7 @@ std::pair<std::unique_ptr<Simplified>, double> simplify_model(const Model& model
                                          : default_thickness * unit;
   target.facets = options.facets > 0 ? options.facets
                                      : std::size_t(std::ceil(options.ratio * double(number_of_triangles(model))));
-  target.rounds_coordinates = model.coordinates == Number_type::FLOAT32;
+  target.rounds_coordinates = model.coordinates == Number_type::FLOAT32 || has_single_precision(options.output);
   std::pair<std::unique_ptr<Simplified>, double> best;
   bool is_kept = false; // whether the best result keeps the tolerance
   for(int attempt = 0; attempt < attempts; ++attempt) {
