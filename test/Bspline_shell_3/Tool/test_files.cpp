@@ -149,7 +149,7 @@ TEST_CASE("OBJ: names of texture files may have spaces and follow options")
   const Model model = model_of("side.obj", cube_side);
   CHECK(write_model(model, "side_2.obj").files[1].second == model.materials);
   CHECK(write_model(model, "folder/other.obj").files[1].second
-        == "newmtl red paint\nmap_Kd -o 0.5 1 -mm 0 2 -clamp on ../old oak.png\nbump ../rough.png\n"
+        == "newmtl red paint\nmap_Kd -o 0.5 1 -mm 0 2 -clamp on ../old oak.png \nbump ../rough.png\n"
            "map_Bump -bm 0.2 /textures/my bumps.png\nKd 1 0 0\n");
 }
 

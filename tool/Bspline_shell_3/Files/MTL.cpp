@@ -41,8 +41,10 @@ std::string moved_materials(const std::string& text, const std::string& from, co
   while(lines.next()) {
     const std::string_view texture = texture_of(lines);
     if(!texture.empty()) {
-      moved += lines.line.substr(0, std::size_t(texture.data() - lines.line.data()));
+      const std::size_t begin = std::size_t(texture.data() - lines.line.data());
+      moved += lines.line.substr(0, begin);
       moved += moved_name(std::string(texture), from, to);
+      moved += lines.line.substr(begin + texture.size());
     } else moved += lines.line;
     moved += '\n';
   }

@@ -191,7 +191,7 @@ private:
                                    const std::vector<bool>& has_values) const
   {
     const std::vector<Column>& columns = m_columns.list;
-    std::map<std::vector<double>, std::size_t> index; // of vertices, by the point and its values
+    std::map<std::vector<double>, std::size_t> index; // vertex by the point and its values
     GLTF_values indices, positions;
     indices.type = Number_type::UINT32;
     positions.dimension = 3;
