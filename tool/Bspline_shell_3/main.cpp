@@ -131,7 +131,8 @@ int main(int argc, char** argv)
 {
   CLI::App program("Simplifies triangle meshes and keeps everything that is attached to them: colors, texture\n"
                    "coordinates, materials, groups, labels, and other properties. The distance and the one-to-one map\n"
-                   "between the original and the result are proved. Files: PLY, OBJ with MTL, OFF, STL.",
+                   "between the original and the result are proved. Files: PLY, OBJ with MTL, OFF,\n"
+                   "STL, glTF, GLB.",
                    "bspline_shell");
   program.set_version_flag("--version", std::string("bspline_shell ") + BSPLINE_SHELL_3_VERSION);
   program.set_help_all_flag("--help-all", "Print the help of all verbs");

@@ -139,6 +139,59 @@ def read_obj(name):
     return found
 
 
+GLTF_TYPES = {5121: "B", 5123: "H", 5125: "I", 5126: "f"}
+GLTF_SIZES = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+
+
+def as_glb(attributes, primitives, image, extra):
+    """attributes: tuples of semantic, component type, type, rows. primitives: lists of vertices; each has its material."""
+    data, views, accessors = b"", [], []
+
+    def view(content):
+        nonlocal data
+        data += b"\0" * (-len(data) % 4)
+        views.append({"buffer": 0, "byteOffset": len(data), "byteLength": len(content)})
+        data += content
+        return len(views) - 1
+
+    def accessor(component, kind, rows, **more):
+        content = struct.pack("<%d%s" % (len(rows) * GLTF_SIZES[kind], GLTF_TYPES[component]), *(x for row in rows for x in row))
+        accessors.append({"bufferView": view(content), "componentType": component, "type": kind, "count": len(rows), **more})
+        return len(accessors) - 1
+
+    of_vertices = {semantic: accessor(component, kind, rows, **({"normalized": True} if component == 5121 else {}))
+                   for semantic, component, kind, rows in attributes}
+    parts = [{"attributes": of_vertices, "indices": accessor(5125, "SCALAR", [(v,) for v in vertices]), "material": n}
+             for n, vertices in enumerate(primitives)]
+    head = json.dumps({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "name": "ball"}],
+                       "meshes": [{"primitives": parts}], "images": [{"bufferView": view(image), "mimeType": "image/png"}],
+                       "accessors": accessors, "bufferViews": views, "buffers": [{"byteLength": len(data)}], **extra}).encode()
+    head += b" " * (-len(head) % 4)
+    data += b"\0" * (-len(data) % 4)
+    return (b"glTF" + struct.pack("<IIII", 2, 28 + len(head) + len(data), len(head), 0x4E4F534A) + head
+            + struct.pack("<II", len(data), 0x004E4942) + data)
+
+
+def read_glb(name):
+    """Returns the parts of the file, the bytes of its image, and for each primitive its material, vertices, and attributes."""
+    data = read(name)
+    assert data[:4] == b"glTF" and struct.unpack_from("<I", data, 8)[0] == len(data), data[:12]
+    size = struct.unpack_from("<I", data, 12)[0]
+    gltf, body = json.loads(data[20:20 + size]), data[28 + size:]
+
+    def rows(index):
+        a = gltf["accessors"][index]
+        v = gltf["bufferViews"][a["bufferView"]]
+        row = "<%d%s" % (GLTF_SIZES[a["type"]], GLTF_TYPES[a["componentType"]])
+        stride = v.get("byteStride", struct.calcsize(row))
+        return [struct.unpack_from(row, body, v.get("byteOffset", 0) + n * stride) for n in range(a["count"])]
+
+    v = gltf["bufferViews"][gltf["images"][0]["bufferView"]]
+    image = body[v.get("byteOffset", 0):][:v["byteLength"]]
+    return gltf, image, [(p["material"], [v for v, in rows(p["indices"])], {s: rows(a) for s, a in p["attributes"].items()})
+                         for m in gltf["meshes"] for p in m["primitives"]]
+
+
 points, triangles = sphere()
 channel = lambda a: lambda p: round(127.5 + 127.5 * p[a])
 side = lambda p: 1 if p[0] > 0.01 else 2
@@ -245,6 +298,52 @@ with tempfile.TemporaryDirectory() as folder:
     report = result("simplify", path("patches.ply"), "-o", path("t.ply"), "--facets", "60", "--thickness", "1%")
     assert not report["reaches_target"] and report["keeps_lines"], report
 
+    # GLB: vertices that are split at the seam of a texture, colors, an own attribute, two materials, and an image
+    single = [struct.unpack("3f", struct.pack("3f", *p)) for p in points]
+    vertices, index, parts = [], {}, [[], []]
+    for t in triangles:
+        c = centroid(points, t)
+        middle = math.atan2(c[1], c[0]) / (2 * math.pi)
+        for v in t:
+            u = uv(points[v], middle)
+            key = (v, u[0] if abs(points[v][2]) < 0.999 else 0)
+            if key not in index:
+                index[key] = len(vertices)
+                vertices.append((single[v], (key[1], 1 - u[1])))
+            parts[side(c) - 1].append(index[key])
+    image = b"\x89PNG an image that is not decoded"
+    extra = {"materials": [{"name": "east", "emissiveFactor": [1, 0, 0], "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}},
+                           {"name": "west", "extensions": {"KHR_materials_unlit": {}}}],
+             "textures": [{"source": 0}], "extensionsUsed": ["KHR_materials_unlit"]}
+    source = write(path("in.glb"), as_glb(
+        [("POSITION", 5126, "VEC3", [p for p, _ in vertices]), ("TEXCOORD_0", 5126, "VEC2", [t for _, t in vertices]),
+         ("COLOR_0", 5121, "VEC4", [(*(channel(a)(p) for a in range(3)), 255) for p, _ in vertices]),
+         ("_TEMPERATURE", 5126, "SCALAR", [(20 + 5 * p[0] - p[2],) for p, _ in vertices])], parts, image, extra))
+    report = result("simplify", source, "-o", path("out.glb"), "--tolerance", "2%")
+    assert report["facets"] < len(triangles) / 2 and not report["warnings"], report
+    assert sorted(report["attributes"]) == ["TEMPERATURE", "color", "material", "object", "texture"], report
+    gltf, kept, primitives = read_glb(path("out.glb"))
+    assert kept == image and gltf["materials"] == extra["materials"], gltf
+    assert [p[0] for p in primitives] == [0, 1] and gltf["nodes"][0]["name"] == "ball", gltf
+    assert sum(len(p[1]) for p in primitives) == 3 * report["facets"], report
+    wrong, same, value = 0, 0, {p: i for i, p in enumerate(single)}
+    for material, corners, columns in primitives:
+        for i in range(0, len(corners), 3):
+            t = corners[i:i + 3]
+            c = centroid(columns["POSITION"], t)
+            assert side(c) == material + 1 or abs(c[0]) < 0.1, c
+            middle = columns["TEXCOORD_0"][t[0]][0]
+            for v in t:
+                p = columns["POSITION"][v]
+                q = [x / math.sqrt(sum(x * x for x in p)) for x in p]
+                same += p in value
+                assert all(abs(columns["COLOR_0"][v][a] - channel(a)(q)) <= 4 for a in range(3)), (p, columns["COLOR_0"][v])
+                assert abs(columns["_TEMPERATURE"][v][0] - (20 + 5 * q[0] - q[2])) < 0.15, p
+                if abs(p[2]) < 0.95:
+                    expected = uv(q, middle)
+                    wrong += math.dist(columns["TEXCOORD_0"][v], (expected[0], 1 - expected[1])) > 0.03
+    assert same > 0 and wrong <= 6 * report["facets_across_seams"], (same, wrong, report)
+
     # OFF with colors, and STL with solids
     off = "COFF\n# colors\n%d %d 0\n" % (len(points), len(triangles))
     off += "".join("%r %r %r %d %d %d 255\n" % (*p, *(channel(a)(p) for a in range(3))) for p in points)
@@ -287,8 +386,8 @@ with tempfile.TemporaryDirectory() as folder:
         assert facet[12] == side(c) or abs(c[0]) < 0.1, facet
 
     # Any format becomes any other; warnings name what is left out.
-    for source in ("in.ply", "in.obj", "in.off", "in.stl"):
-        for target in ("x.ply", "x.obj", "x.off", "x.stl"):
+    for source in ("in.ply", "in.obj", "in.off", "in.stl", "in.glb"):
+        for target in ("x.ply", "x.obj", "x.off", "x.stl", "x.gltf", "x.glb"):
             done = run("simplify", path(source), "-o", path(target), "--facets", "600")
             assert done.returncode == 0, done
             if (source, target) == ("in.ply", "x.stl"):

@@ -121,7 +121,7 @@ Simplified simplify_in_shell(const Model& model, const std::shared_ptr<const BS:
   result.closing = simplified.closing;
   result.removed_border_edges = simplified.removed_border_edges;
   result.mesh.collect_garbage();
-  result.is_rounded = model.coordinates == Number_type::FLOAT32 && round_coordinates(*found, result);
+  result.is_rounded = target.rounds_coordinates && round_coordinates(*found, result);
   if(found->excised) {
     result.rejoined = BS::rejoin_excised(*found->excised, result.mesh);
     if(!result.rejoined) {

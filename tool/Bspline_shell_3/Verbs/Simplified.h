@@ -36,6 +36,7 @@ struct Simplify_target
 {
   std::size_t facets = 0; // 0 for as few as possible
   bool keeps_lines = true;
+  bool rounds_coordinates = false;                                    // to floats, if the result remains certified
   double line_tolerance = 0;                                          // distance of lines
   double border_tolerance = 0;                                        // distance of borders; they are kept if it is 0
   double surface_tolerance = std::numeric_limits<double>::infinity(); // distance of surfaces

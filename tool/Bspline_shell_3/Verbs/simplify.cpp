@@ -82,6 +82,7 @@ void print_json(const Simplify_options& options, const Model& model, const Simpl
     .add("warnings", summary.warnings)
     .add("edges_on_lines", result.lines)
     .add("keeps_lines", result.keeps_lines)
+    .add("is_rounded", result.is_rounded)
     .add("removed_border_edges", result.removed_border_edges)
     .add("facets_across_seams", summary.carried.facets_across_seams)
     .add("points_without_image", summary.carried.points_without_image)
@@ -89,13 +90,15 @@ void print_json(const Simplify_options& options, const Model& model, const Simpl
   std::cout << json.text() << std::endl;
 }
 
-void print(const Model& model, const Simplified& result, const Summary& summary)
+void print(const Simplify_options& options, const Model& model, const Simplified& result, const Summary& summary)
 {
   const BS::Shell_of_soup_3& found = *result.found;
   const double distance = result.distances.largest();
   const std::size_t polygons = model.soup.polygons.size();
   std::cout << "facets      " << result.facets << " of " << result.facets_before
-            << (polygons == result.facets_before ? "" : " (" + std::to_string(polygons) + " polygons)")
+            << (polygons == result.facets_before
+                  ? ""
+                  : " triangles, into which the " + std::to_string(polygons) + " polygons of the file are split")
             << (summary.reaches_target ? "" : ": the requested number is not reached") << "\n"
             << "distance    at most " << number(distance) << " between any point of one surface and the other ("
             << number(100 * distance / summary.longest_side) << " % of the box)\n"
@@ -119,7 +122,9 @@ void print(const Model& model, const Simplified& result, const Summary& summary)
   if(!result.keeps_lines) std::cout << "lines       were not kept, because the requested number of facets needs them\n";
   if(result.removed_border_edges > 0)
     std::cout << "border      has " << result.removed_border_edges << " edges fewer\n";
-  if(model.coordinates == Number_type::FLOAT32 && !result.is_rounded)
+  if(!result.is_rounded && has_single_precision(options.output))
+    std::cout << "coordinates are rounded to float in the file, for which nothing is proved: use another format\n";
+  else if(!result.is_rounded && model.coordinates == Number_type::FLOAT32)
     std::cout << "coordinates are of type double, because rounding to float would invalidate the proof\n";
   std::cout << "limit       " << message_of_limit(result) << std::endl;
 }
@@ -164,11 +169,11 @@ Outcome simplify(const Simplify_options& options, bool writes_json)
 
   for(const std::string& warning : written.warnings) std::cerr << options.output << ": " << warning << "\n";
   summary.warnings = written.warnings;
-  for(const Attribute& a : output.attributes) summary.attributes.push_back(a.name);
+  summary.attributes = written.attributes;
   summary.reaches_target = (options.facets == 0 && options.ratio == 0) || result.limit == Limit::FACETS;
   summary.seconds = time.seconds();
   if(writes_json) print_json(options, model, result, summary);
-  else print(model, result, summary);
+  else print(options, model, result, summary);
   return DONE;
 }
 

@@ -1,6 +1,8 @@
 #include "simplify_model.h"
 #include "Input.h"
 
+#include "../Files/write_model.h"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -42,6 +44,7 @@ public:
   {
     m_target.facets = options.facets > 0 ? options.facets
                                          : std::size_t(std::ceil(options.ratio * double(triangles(model))));
+    m_target.rounds_coordinates = model.coordinates == Number_type::FLOAT32 || has_single_precision(options.output);
     if(options.border) m_target.border_tolerance = options.border->in_box(m_side);
     if(options.tolerance) m_target.surface_tolerance = options.tolerance->in_box(m_side);
   }

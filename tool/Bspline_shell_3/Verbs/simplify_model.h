@@ -9,11 +9,13 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 namespace Tool {
 
 struct Edit_options : Shell_options
 {
+  std::string output;
   std::optional<Length> tolerance, border;
   std::size_t facets = 0; // 0 if there is no target
   double ratio = 0;       // 0 if there is no target
