@@ -1,5 +1,6 @@
 // The command-line program: simplifies meshes in files with everything that is in them, and proves the result.
 #include "Verbs/Exit_code.h"
+#include "Verbs/transfer.h"
 #include "Verbs/verbs.h"
 
 #include <CLI/App.hpp>
@@ -128,6 +129,30 @@ int main(int argc, char** argv)
   add_time_limit(*verb, simplify.seconds);
   add_common(*verb, simplify.writes_json);
   verb->callback([&] { code = Tool::simplify(simplify); });
+
+  Tool::Transfer_options transfer;
+  bool transfer_writes_json = false;
+  verb = program.add_subcommand("transfer", "Transfer the attributes of one mesh to another." + lengths);
+  verb->add_option("FROM", transfer.from, "The mesh with attributes")->required();
+  verb->add_option("TO", transfer.to, "The mesh that gets them; its points and polygons are kept")->required();
+  verb->add_option("-o,--output", transfer.output, "The result; its extension selects the format")->required();
+  add_length(*verb, "--thickness", transfer.thickness,
+             "Thickness of the shell of FROM (default: chosen from the distance of TO)");
+  verb->add_flag("--normals", transfer.includes_normals, "Transfer normals as well");
+  verb
+    ->add_option("--bake", transfer.image, "Bake the colors of FROM into this PNG file, over TO's texture coordinates")
+    ->type_name("IMAGE");
+  verb->add_option("--bake-normals", transfer.normal_image, "Bake the normals of FROM, in its coordinates")
+    ->type_name("IMAGE");
+  verb->add_option("--size", transfer.size, "Number of texels along each side of the image")
+    ->check(CLI::Range(1, 16384))
+    ->capture_default_str();
+  verb->add_option("--margin", transfer.margin, "Number of texels that are filled around texture charts")
+    ->check(CLI::Range(0, 1024))
+    ->capture_default_str();
+  add_time_limit(*verb, transfer.seconds);
+  add_common(*verb, transfer_writes_json);
+  verb->callback([&] { code = Tool::report(Tool::transfer(transfer, transfer_writes_json), transfer_writes_json); });
 
   Tool::Shell_options shell;
   verb = program.add_subcommand("shell", "Build a certified shell, its surfaces, and its certificate." + lengths);

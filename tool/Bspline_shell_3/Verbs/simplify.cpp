@@ -4,6 +4,7 @@
 #include "Progress.h"
 #include "Result_files.h"
 #include "Simplified.h"
+#include "number.h"
 #include "verbs.h"
 
 #include "../Carry/carry_attributes.h"
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <utility>
@@ -66,13 +66,6 @@ std::pair<std::unique_ptr<Simplified>, double> simplify_model(const Model& model
     if(!may_continue || (keeps_tolerance && distance > slack * tolerance) || (was_kept && !keeps_tolerance)) break;
   }
   return best;
-}
-
-std::string number(double x)
-{
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.4g", x);
-  return buffer;
 }
 
 // Returns which limit ended the simplification, and which one would allow fewer facets.

@@ -1,0 +1,254 @@
+#include "transfer.h"
+#include "Input.h"
+#include "Json.h"
+#include "Progress.h"
+#include "Result_files.h"
+#include "Transfer_map.h"
+#include "distance_bound.h"
+#include "number.h"
+
+#include "../Bake/Color_source.h"
+#include "../Bake/Normal_source.h"
+#include "../Bake/Texel_map.h"
+#include "../Bake/bake.h"
+#include "../Carry/corner_mixes.h"
+#include "../Carry/transfer_attributes.h"
+#include "../Files/read_model.h"
+#include "../Files/write_model.h"
+
+#include <CGAL/Real_timer.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace Tool {
+
+namespace {
+
+bool bakes(const Transfer_options& options)
+{
+  return !options.image.empty() || !options.normal_image.empty();
+}
+
+std::vector<std::string> images_of(const Transfer_options& options)
+{
+  std::vector<std::string> images;
+  for(const std::string& image : { options.image, options.normal_image })
+    if(!image.empty()) images.push_back(image);
+  return images;
+}
+
+// Returns whether the names of files can be used, before anything is read.
+Outcome check_names(const Transfer_options& options)
+{
+  if(!is_supported(options.output)) return { WRONG_USAGE, options.output, message(File_status::UNSUPPORTED) };
+  std::vector<std::string> outputs = images_of(options);
+  for(const std::string& image : outputs)
+    if(extension_of(image) != ".png") return { WRONG_USAGE, image, "Images are PNG files: use the extension .png." };
+  outputs.push_back(options.output);
+  for(std::size_t n = 0; n < outputs.size(); ++n) {
+    for(const std::string& input : { options.from, options.to })
+      if(is_same_file(outputs[n], input))
+        return { WRONG_USAGE, outputs[n], "The result would replace the input: choose another name." };
+    if(std::count(outputs.begin(), outputs.end(), outputs[n]) > 1)
+      return { WRONG_USAGE, outputs[n], "Two results have the same name: choose another one." };
+  }
+  return DONE;
+}
+
+const Attribute* texture_of(const Model& model)
+{
+  const Attribute* const corners = model.find(texture_name, Element::CORNER);
+  return corners != nullptr ? corners : model.find(texture_name, Element::POINT);
+}
+
+// Makes an image the texture of all polygons of a model.
+void set_texture(Model& model, const std::string& image)
+{
+  const std::filesystem::path path(image);
+  const std::string file = path.filename().string(), baked = "baked";
+  model.folder = path.parent_path().string();
+  model.materials = "newmtl " + baked + "\nKd 1 1 1\nmap_Kd " + file + "\n";
+  auto& attributes = model.attributes;
+  attributes.erase(
+    std::remove_if(attributes.begin(), attributes.end(), [](const Attribute& a) { return a.name == material_name; }),
+    attributes.end());
+  attributes.push_back({ material_name,
+                         Element::POLYGON,
+                         Kind::LABEL,
+                         Number_type::INT32,
+                         { material_name },
+                         std::vector<double>(model.soup.polygons.size(), 1),
+                         { "", baked } });
+}
+
+struct Baked
+{
+  Texel_map map;
+  std::vector<std::pair<std::string, Image> > images; // files and their contents
+  std::vector<std::string> warnings;
+};
+
+void bake_images(const Transfer_options& options, const Model& from, const Model& to, const Transfer_map& map,
+                 const Color_source& colors, Progress& progress, Baked& baked)
+{
+  baked.map = map_texels(to, map.mesh, *texture_of(to), options.size);
+  if(baked.map.overlapping > 0)
+    baked.warnings.push_back(
+      std::to_string(baked.map.overlapping) + " texels belong to several polygons, for example to polygons "
+      + std::to_string(baked.map.overlapping_polygons[0]) + " and " + std::to_string(baked.map.overlapping_polygons[1])
+      + ": their texture coordinates overlap, and the first polygon is baked.");
+  if(baked.map.outside > 0)
+    baked.warnings.push_back(std::to_string(baked.map.outside)
+                             + " triangles have no texture coordinates, or some that are not between 0 and 1: they are "
+                               "not baked there.");
+  const auto add = [&](const std::string& file, const std::function<Color(const Source_point&)>& color) {
+    const auto show = [&](double fraction) { progress.show("image", fraction); };
+    if(!file.empty())
+      baked.images.emplace_back(file, bake(*map.map, baked.map.texels, options.size, options.margin, color, show));
+  };
+  const Mesh_origins& origins = map.map->origins();
+  const auto mix = [&](const Source_point& p) { return mix_of(p.corners, p.weights, origins); };
+  add(options.image, [&](const Source_point& p) { return colors(origins.polygon_of(p.facet), mix(p)); });
+  if(!options.normal_image.empty()) {
+    const Normal_source normals(from, *map.map);
+    add(options.normal_image, [&](const Source_point& p) { return normals(p, mix(p)); });
+  }
+  progress.clear();
+}
+
+// Returns which part of the map is proved.
+std::string map_message(const Transfer_map& map)
+{
+  const BS::Shell_of_soup_3& found = map.found;
+  if(found.certification() == BS::Certification::NONE) return "none: " + with_options(found.message());
+  const Mapped_parts& parts = map.parts;
+  const std::string onto = found.proxy     ? " to the proxy, from which it continues to the visible polygons"
+                           : found.excised ? " except for excised triangles"
+                                           : "";
+  if(parts.is_one_to_one()) return "one-to-one" + onto + ": proved for the whole mesh";
+  return percent(parts.share(Mapped::ONE_TO_ONE)) + " of the area one-to-one" + onto
+         + (parts.is_certified ? ": proved as a whole" : ": each facet is proved to face along the curves") + "; "
+         + percent(parts.share(Mapped::CONTINUED)) + " continued without a proof; "
+         + percent(parts.share(Mapped::NEAREST)) + " outside of the shell, with values of the nearest points";
+}
+
+void print_list(const std::string& title, const std::vector<std::string>& list)
+{
+  if(list.empty()) return;
+  std::cout << title;
+  for(const std::string& item : list) std::cout << " " << item;
+  std::cout << "\n";
+}
+
+void print(const Transfer_options& options, const Transfer_map& map, double distance, double unit,
+           const Attribute_transfer& transferred, const Baked& baked)
+{
+  std::cout << "map         " << map_message(map) << "\n";
+  if(!map.parts.is_one_to_one())
+    std::cout << "            marked by the property \"" << mapped_name
+              << "\" of points: 0 one-to-one, 1 continued, 2 nearest\n";
+  std::cout << "distance    no point is farther than " << number(distance) << " from the first mesh ("
+            << percent(distance / unit) << " of its box)\n";
+  if(map.found.certification() != BS::Certification::NONE)
+    std::cout << "shell       thickness " << number(map.thickness) << " (" << percent(map.thickness / unit)
+              << " of the box); " << name(map.found.certification()) << "; " << name(map.found.kind()) << "\n";
+  print_list("attributes ", transferred.transferred);
+  print_list("replaced   ", transferred.replaced);
+  if(transferred.facets_across_seams > 0)
+    std::cout << "seams       " << transferred.facets_across_seams << " facets lie across a seam\n";
+  for(const auto& image : baked.images)
+    std::cout << "image       " << image.first << ": " << options.size << " x " << options.size << " texels, "
+              << percent(double(baked.map.texels.size()) / double(options.size * options.size)) << " covered\n";
+  std::cout << std::flush;
+}
+
+} // namespace
+
+Outcome transfer(const Transfer_options& options, bool writes_json)
+{
+  if(const Outcome names = check_names(options); !names) return names;
+  Model from, to;
+  if(!read_input(options.from, from) || !read_input(options.to, to)) return WRONG_INPUT;
+  std::vector<std::string> outputs = images_of(options);
+  outputs.push_back(options.output);
+  for(const std::string& file : outputs)
+    if(!is_writable(file)) return { CANNOT_WRITE, file, message(File_status::CANNOT_WRITE) };
+
+  CGAL::Real_timer timer;
+  timer.start();
+  Baked baked;
+  const Color_source colors(from, baked.warnings);
+  if(bakes(options) && texture_of(to) == nullptr)
+    return { WRONG_INPUT, options.to, "The mesh has no texture coordinates: unwrap it before colors are baked." };
+  if(!options.image.empty() && !colors)
+    return { WRONG_INPUT, options.from, "The mesh has no texture and no colors to bake." };
+
+  Progress progress;
+  double distance = 0;
+  {
+    const Triangulated_model source(from), target(to);
+    for(const auto& side : { std::make_pair(&options.from, &source), std::make_pair(&options.to, &target) })
+      if(side.second->mesh().number_of_faces() == 0) return { WRONG_INPUT, *side.first, "No polygon has an area." };
+    constexpr double resolution = 1e-4; // relative to the longest side of the bounding box
+    progress.show("distances", 0);
+    distance = distance_bounds(target.mesh(), source.mesh(), resolution * longest_side(from)).to_second;
+  }
+  const double unit = longest_side(from);
+  const std::unique_ptr<const Transfer_map> map = transfer_map(
+    from, to, options.thickness ? options.thickness->in_box(unit) : 0, distance, options.seconds, progress);
+  Attribute_transfer transferred;
+  Model output = transfer_attributes(from, to, map->mesh, *map->map, map->parts,
+                                     { options.includes_normals, !bakes(options) }, transferred,
+                                     [&](double fraction) { progress.show("attributes", fraction); });
+  progress.clear();
+  if(bakes(options)) bake_images(options, from, to, *map, colors, progress, baked);
+  if(!options.image.empty()) set_texture(output, options.image);
+
+  Written_files written = write_model(output, options.output);
+  for(const auto& image : baked.images) written.files.emplace_back(image.first, png_of(image.second));
+  for(const auto& file : written.files)
+    for(const Model* model : { &from, &to })
+      for(const std::string& input : model->files)
+        if(is_same_file(file.first, input))
+          return { WRONG_USAGE, file.first, "The result would replace a part of the input: choose another name." };
+  const std::string failed = write_files(written.files);
+  if(!failed.empty()) return { CANNOT_WRITE, failed, message(File_status::CANNOT_WRITE) };
+
+  std::vector<std::string> warnings = baked.warnings;
+  warnings.insert(warnings.end(), written.warnings.begin(), written.warnings.end());
+  for(const std::string& warning : warnings) std::cerr << options.output << ": " << warning << "\n";
+  const Mapped_parts& parts = map->parts;
+  if(writes_json) {
+    const bool has_shell = map->found.certification() != BS::Certification::NONE;
+    Json json;
+    json.add("from", options.from)
+      .add("to", options.to)
+      .add("output", options.output)
+      .add("certification", name(map->found.certification()))
+      .add("kind", has_shell ? name(map->found.kind()) : "none")
+      .add("map", map_message(*map))
+      .add("is_one_to_one", parts.is_one_to_one())
+      .add("one_to_one_area", parts.share(Mapped::ONE_TO_ONE))
+      .add("continued_area", parts.share(Mapped::CONTINUED))
+      .add("nearest_area", parts.share(Mapped::NEAREST))
+      .add("distance", distance)
+      .add("thickness", map->thickness)
+      .add("attributes", transferred.transferred)
+      .add("replaced", transferred.replaced)
+      .add("facets_across_seams", transferred.facets_across_seams)
+      .add("images", images_of(options))
+      .add("covered_texels", baked.map.texels.size())
+      .add("overlapping_texels", baked.map.overlapping)
+      .add("warnings", warnings)
+      .add("seconds", timer.time());
+    std::cout << json.text() << std::endl;
+  } else print(options, *map, distance, unit, transferred, baked);
+  return parts.share(Mapped::ONE_TO_ONE) > 0 ? DONE : NOT_CERTIFIED;
+}
+
+} // namespace Tool
