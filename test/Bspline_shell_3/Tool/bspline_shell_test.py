@@ -13,6 +13,8 @@ import sys
 import tempfile
 import time
 
+from mesh_files import as_ply, centroid, read, read_obj, read_ply, sphere, write
+
 program, meshes = sys.argv[1:]
 WRONG_INPUT, WRONG_USAGE, CANNOT_WRITE, NOT_CERTIFIED = 1, 2, 3, 4
 
@@ -25,118 +27,6 @@ def result(*arguments):
     done = run(*arguments, "--json")
     assert done.returncode == 0, done
     return json.loads(done.stdout)
-
-
-def write(name, data):
-    with open(name, "wb") as file:
-        file.write(data if isinstance(data, bytes) else data.encode())
-    return name
-
-
-def read(name):
-    with open(name, "rb") as file:
-        return file.read()
-
-
-def sphere(rings=24, sectors=48):
-    """Returns points and triangles of the unit sphere."""
-    points = [(0.0, 0.0, 1.0)]
-    for i in range(1, rings):
-        for j in range(sectors):
-            t, p = math.pi * i / rings, 2 * math.pi * j / sectors
-            points.append((math.sin(t) * math.cos(p), math.sin(t) * math.sin(p), math.cos(t)))
-    points.append((0.0, 0.0, -1.0))
-    last = len(points) - 1
-    at = lambda i, j: 1 + (i - 1) * sectors + j % sectors
-    triangles = [(0, at(1, j), at(1, j + 1)) for j in range(sectors)]
-    for i in range(1, rings - 1):
-        for j in range(sectors):
-            triangles += [(at(i, j), at(i + 1, j), at(i + 1, j + 1)), (at(i, j), at(i + 1, j + 1), at(i, j + 1))]
-    triangles += [(last, at(rings - 1, j + 1), at(rings - 1, j)) for j in range(sectors)]
-    return points, triangles
-
-
-def centroid(points, triangle):
-    return [sum(points[v][a] for v in triangle) / 3 for a in range(3)]
-
-
-SIZES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I", "float": "f", "double": "d"}
-
-
-def read_ply(name):
-    """Returns comments, and for each element the types and values of its properties."""
-    data = read(name)
-    header, body = data.split(b"end_header\n", 1)
-    lines = header.decode().split("\n")
-    encoding = lines[1].split()[1]
-    comments = [line for line in lines if line.startswith(("comment", "obj_info"))]
-    elements = []
-    for line in lines:
-        words = line.split()
-        if words and words[0] == "element":
-            elements.append((words[1], int(words[2]), []))
-        elif words and words[0] == "property":
-            elements[-1][2].append((words[-1], words[1:-1]))
-    words, position = iter(body.split()) if encoding == "ascii" else None, 0
-    order = ">" if encoding == "binary_big_endian" else "<"
-
-    def number(kind):
-        nonlocal position
-        if encoding == "ascii":
-            word = next(words)
-            return struct.unpack("f", struct.pack("f", float(word)))[0] if kind == "float" else float(word) if kind == "double" else int(word)
-        position += struct.calcsize(SIZES[kind])
-        return struct.unpack_from(order + SIZES[kind], body, position - struct.calcsize(SIZES[kind]))[0]
-
-    found = {}
-    for element, size, properties in elements:
-        columns = {property: [] for property, _ in properties}
-        for _ in range(size):
-            for property, kind in properties:
-                columns[property].append([number(kind[2]) for _ in range(number(kind[1]))] if kind[0] == "list" else number(kind[0]))
-        found[element] = ({property: " ".join(kind) for property, kind in properties}, columns)
-    return encoding, comments, found
-
-
-def as_ply(encoding, points, triangles, of_points, of_triangles):
-    """of_points, of_triangles: lists of name, type, function of the position."""
-    order = ">" if encoding == "binary_big_endian" else "<"
-    header = "ply\nformat %s 1.0\ncomment units millimetre\nobj_info scan 42\nelement vertex %d\n" % (encoding, len(points))
-    header += "".join("property double %s\n" % a for a in "xyz") + "".join("property %s %s\n" % (t, n) for n, t, _ in of_points)
-    header += "element face %d\nproperty list uchar int vertex_indices\n" % len(triangles)
-    header += "".join("property %s %s\n" % (t, n) for n, t, _ in of_triangles) + "end_header\n"
-    body = b""
-    for p in points:
-        row = [("double", x) for x in p] + [(t, f(p)) for _, t, f in of_points]
-        body += pack(encoding, order, row)
-    for t in triangles:
-        c = centroid(points, t)
-        body += pack(encoding, order, [("uchar", 3)] + [("int", v) for v in t] + [(kind, f(c)) for _, kind, f in of_triangles])
-    return header.encode() + body
-
-
-def pack(encoding, order, row):
-    if encoding == "ascii":
-        return (" ".join(repr(x) for _, x in row) + "\n").encode()
-    return b"".join(struct.pack(order + SIZES[kind], x) for kind, x in row)
-
-
-def read_obj(name):
-    found = {"v": [], "vt": [], "vn": [], "f": [], "lines": []}
-    state = {"usemtl": None, "g": None, "s": None, "o": None}
-    for line in read(name).decode().split("\n"):
-        words = line.split()
-        if not words:
-            continue
-        if words[0] in ("v", "vt", "vn"):
-            found[words[0]].append([float(x) for x in words[1:]])
-        elif words[0] == "f":
-            found["f"].append(([tuple(int(i) - 1 if i else -1 for i in word.split("/")) for word in words[1:]], dict(state)))
-        elif words[0] in state:
-            state[words[0]] = line.split(None, 1)[1]
-        else:
-            found["lines"].append(line)
-    return found
 
 
 points, triangles = sphere()

@@ -110,9 +110,10 @@ Mapped_parts mapped_parts(const Model_map& map)
       for(auto v : mesh.vertices_around_face(mesh.halfedge(f)))
         parts.of_vertices[v] = (std::max)(parts.of_vertices[v], Mapped::CONTINUED);
   parts.area = {};
-  const double area = CGAL::Polygon_mesh_processing::area(mesh);
   for(auto f : mesh.faces())
-    parts.area[std::size_t(parts.of_facets[f])] += CGAL::Polygon_mesh_processing::face_area(f, mesh) / area;
+    parts.area[std::size_t(parts.of_facets[f])] += CGAL::Polygon_mesh_processing::face_area(f, mesh);
+  const double area = std::accumulate(parts.area.begin(), parts.area.end(), 0.);
+  for(double& share : parts.area) share /= area;
   return parts;
 }
 

@@ -131,8 +131,11 @@ std::string map_message(const Transfer_map& map)
                            : found.excised ? " except for excised triangles"
                                            : "";
   if(parts.is_one_to_one()) return "one-to-one" + onto + ": proved for the whole mesh";
-  return percent(parts.share(Mapped::ONE_TO_ONE)) + " of the area one-to-one" + onto
-         + (parts.is_certified ? ": proved as a whole" : ": each facet is proved to face along the curves") + "; "
+  const double share = parts.share(Mapped::ONE_TO_ONE);
+  return (share > 0
+            ? percent(share) + " of the area one-to-one" + onto
+                + (parts.is_certified ? ": proved as a whole; " : ": each facet is proved to face along the curves; ")
+            : "nothing is one-to-one; ")
          + percent(parts.share(Mapped::CONTINUED)) + " continued without a proof; "
          + percent(parts.share(Mapped::NEAREST)) + " outside of the shell, with values of the nearest points";
 }
