@@ -1,5 +1,6 @@
 // The command-line program: simplifies meshes in files with everything that is in them, and proves the result.
 #include "Verbs/Exit_code.h"
+#include "Verbs/remesh.h"
 #include "Verbs/transfer.h"
 #include "Verbs/verbs.h"
 
@@ -129,6 +130,26 @@ int main(int argc, char** argv)
   add_time_limit(*verb, simplify.seconds);
   add_common(*verb, simplify.writes_json);
   verb->callback([&] { code = Tool::simplify(simplify); });
+
+  Tool::Remesh_options remesh;
+  bool remesh_writes_json = false;
+  verb = program.add_subcommand("remesh",
+                                "Remesh a mesh to edges of about one length, and keep its attributes." + lengths);
+  verb->add_option("IN", remesh.input, "The mesh")->required();
+  verb->add_option("-o,--output", remesh.output, "The result; its extension selects the format")->required();
+  add_length(*verb, "--edge", remesh.edge, "Length of edges");
+  verb->get_option("--edge")->required();
+  verb
+    ->add_option("--features", remesh.feature,
+                 "Keep edges with a larger angle between the normals of their facets, in degrees")
+    ->type_name("ANGLE")
+    ->check(CLI::Range(0., 180.))
+    ->capture_default_str();
+  add_length(*verb, "--thickness", remesh.thickness, "Thickness of the shell (default: 1%)");
+  verb->add_flag("--keep-normals", remesh.carries_normals, "Interpolate normals instead of recomputing them");
+  add_time_limit(*verb, remesh.seconds);
+  add_common(*verb, remesh_writes_json);
+  verb->callback([&] { code = Tool::report(Tool::remesh(remesh, remesh_writes_json), remesh_writes_json); });
 
   Tool::Transfer_options transfer;
   bool transfer_writes_json = false;

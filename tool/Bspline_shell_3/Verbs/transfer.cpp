@@ -2,7 +2,7 @@
 #include "Input.h"
 #include "Json.h"
 #include "Progress.h"
-#include "Result_files.h"
+#include "Result_model.h"
 #include "Transfer_map.h"
 #include "distance_bound.h"
 #include "number.h"
@@ -14,7 +14,6 @@
 #include "../Carry/corner_mixes.h"
 #include "../Carry/transfer_attributes.h"
 #include "../Files/read_model.h"
-#include "../Files/write_model.h"
 
 #include <CGAL/Real_timer.h>
 
@@ -45,17 +44,15 @@ std::vector<std::string> images_of(const Transfer_options& options)
 // Returns whether the names of files can be used, before anything is read.
 Outcome check_names(const Transfer_options& options)
 {
-  if(!is_supported(options.output)) return { WRONG_USAGE, options.output, message(File_status::UNSUPPORTED) };
-  std::vector<std::string> outputs = images_of(options);
-  for(const std::string& image : outputs)
-    if(extension_of(image) != ".png") return { WRONG_USAGE, image, "Images are PNG files: use the extension .png." };
-  outputs.push_back(options.output);
-  for(std::size_t n = 0; n < outputs.size(); ++n) {
-    for(const std::string& input : { options.from, options.to })
-      if(is_same_file(outputs[n], input))
-        return { WRONG_USAGE, outputs[n], "The result would replace the input: choose another name." };
-    if(std::count(outputs.begin(), outputs.end(), outputs[n]) > 1)
-      return { WRONG_USAGE, outputs[n], "Two results have the same name: choose another one." };
+  const std::vector<std::string> inputs = { options.from, options.to }, images = images_of(options);
+  if(const Outcome output = check_output(options.output, inputs); !output) return output;
+  for(std::size_t n = 0; n < images.size(); ++n) {
+    if(extension_of(images[n]) != ".png")
+      return { WRONG_USAGE, images[n], "Images are PNG files: use the extension .png." };
+    if(n > 0 && images[n] == images[0]) return { WRONG_USAGE, images[n], "Both images have the same name." };
+    for(const std::string& input : inputs)
+      if(is_same_file(images[n], input))
+        return { WRONG_USAGE, images[n], "The result would replace the input: choose another name." };
   }
   return DONE;
 }
@@ -212,19 +209,11 @@ Outcome transfer(const Transfer_options& options, bool writes_json)
   if(bakes(options)) bake_images(options, from, to, *map, colors, progress, baked);
   if(!options.image.empty()) set_texture(output, options.image);
 
-  Written_files written = write_model(output, options.output);
-  for(const auto& image : baked.images) written.files.emplace_back(image.first, png_of(image.second));
-  for(const auto& file : written.files)
-    for(const Model* model : { &from, &to })
-      for(const std::string& input : model->files)
-        if(is_same_file(file.first, input))
-          return { WRONG_USAGE, file.first, "The result would replace a part of the input: choose another name." };
-  const std::string failed = write_files(written.files);
-  if(!failed.empty()) return { CANNOT_WRITE, failed, message(File_status::CANNOT_WRITE) };
-
+  Contents images;
+  for(const auto& image : baked.images) images.emplace_back(image.first, png_of(image.second));
   std::vector<std::string> warnings = baked.warnings;
-  warnings.insert(warnings.end(), written.warnings.begin(), written.warnings.end());
-  for(const std::string& warning : warnings) std::cerr << options.output << ": " << warning << "\n";
+  if(const Outcome written = write_result(output, options.output, { &from, &to }, images, warnings); !written)
+    return written;
   const Mapped_parts& parts = map->parts;
   if(writes_json) {
     const bool has_shell = map->found.certification() != BS::Certification::NONE;

@@ -1,0 +1,25 @@
+// The time that a verb may take.
+#ifndef TOOL_VERBS_TIME_LIMIT_H
+#define TOOL_VERBS_TIME_LIMIT_H
+
+#include <chrono>
+
+namespace Tool {
+
+class Time_limit
+{
+public:
+  explicit Time_limit(double seconds) : m_limit(seconds) {}
+
+  double limit() const { return m_limit; }
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count(); }
+  double left() const { return m_limit - seconds(); }
+
+private:
+  std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+  double m_limit; // infinite if there is none
+};
+
+} // namespace Tool
+
+#endif // TOOL_VERBS_TIME_LIMIT_H
