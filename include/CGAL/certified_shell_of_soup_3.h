@@ -53,7 +53,7 @@ namespace CGAL {
  *     \cgalParamNBegin{weld_tolerance}
  *       \cgalParamDescription{distance of points that are welded where this closes cracks, in the units of the
  *         coordinates; at least 0, and finite. All checks of `Bspline_shells::weld_soup()` apply to it.}
- *       \cgalParamType{`double`}
+ *       \cgalParamType{`double`, or `std::optional<double>`, which is the default if it is empty}
  *       \cgalParamDefault{four units in the last digit of the coordinates, or less if edges or the shell are small}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{largest_excised_share}
@@ -95,7 +95,8 @@ Bspline_shells::Shell_of_soup_3 certified_shell_of_soup_3(const Bspline_shells::
     welding.thickness = get_parameter(np, tags::thickness);
   if constexpr(!is_default_parameter<CGAL_NP_CLASS, tags::weld_tolerance_t>::value) {
     welding.tolerance = get_parameter(np, tags::weld_tolerance);
-    result.invalid_parameter.check("weld_tolerance", *welding.tolerance, BS::Parameter_bounds::not_negative());
+    if(welding.tolerance)
+      result.invalid_parameter.check("weld_tolerance", *welding.tolerance, BS::Parameter_bounds::not_negative());
   }
   BS::Excision_limits excision;
   excision.share = choose_parameter(get_parameter(np, tags::largest_excised_share), excision.share);

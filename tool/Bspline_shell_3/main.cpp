@@ -1,7 +1,8 @@
 // The command-line program: simplifies meshes in files with everything that is in them, and proves the result.
+#include "Files/Words.h"
 #include "Verbs/Exit_code.h"
-#include "Verbs/remesh.h"
-#include "Verbs/transfer.h"
+#include "Verbs/Length.h"
+#include "Verbs/Outcome.h"
 #include "Verbs/verbs.h"
 
 #include <CLI/App.hpp>
@@ -9,12 +10,15 @@
 #include <CLI/Formatter.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -86,15 +90,40 @@ void add_length(CLI::App& verb, const std::string& name, std::optional<Tool::Len
     ->type_name("LENGTH");
 }
 
-void add_common(CLI::App& verb, bool& writes_json)
+// Checks that a number is positive and at most as large as another one.
+CLI::Validator positive(double largest = std::numeric_limits<double>::infinity())
 {
-  verb.add_flag("--json", writes_json, "Print the result as JSON");
-  verb.footer(Tool::exit_codes);
+  return CLI::Validator(
+    [largest](std::string& text) {
+      double x = 0;
+      if(Tool::read_number(text, x) && x > 0 && x <= largest) return std::string();
+      return "cannot be " + text + ": give a positive number"
+             + (std::isfinite(largest) ? ", at most " + std::to_string(int(largest)) + "." : ".");
+    },
+    "");
+}
+
+void add_shell(CLI::App& verb, Tool::Shell_options& shell, const std::string& thickness, const std::string& name = "IN",
+               const std::string& mesh = "The mesh")
+{
+  verb.add_option(name, shell.input, mesh)->required();
+  add_length(verb, "--thickness", shell.thickness, "Thickness of the shell (default: " + thickness + ")");
+  add_length(verb, "--weld", shell.weld,
+             "Distance of points that are welded if this closes cracks (default: a few units in the last digit)");
+  verb.add_option("--excise", shell.excised_percentage, "Largest part of the area that may be excised, in percent")
+    ->check(CLI::Range(0., 100.))
+    ->capture_default_str();
 }
 
 void add_time_limit(CLI::App& verb, double& seconds)
 {
-  verb.add_option("--time-limit", seconds, "Time limit in seconds")->check(CLI::PositiveNumber);
+  verb.add_option("--time-limit", seconds, "Time limit in seconds")->check(positive());
+}
+
+void add_common(CLI::App& verb, bool& writes_json, const std::string& examples)
+{
+  verb.add_flag("--json", writes_json, "Print the result, or the error, as JSON");
+  verb.footer("Examples\n" + examples + "\n" + Tool::exit_codes);
 }
 
 } // namespace
@@ -106,36 +135,39 @@ int main(int argc, char** argv)
                    "between the original and the result are proved. Files: PLY, OBJ with MTL, OFF, STL.",
                    "bspline_shell");
   program.set_version_flag("--version", std::string("bspline_shell ") + BSPLINE_SHELL_3_VERSION);
+  program.set_help_all_flag("--help-all", "Print the help of all verbs");
   program.require_subcommand(1);
   program.footer(Tool::exit_codes);
   program.get_formatter()->column_width(32);
-  int code = Tool::DONE;
+  bool writes_json = false;
+  Tool::Outcome outcome;
   const std::string lengths =
     "\nA LENGTH is in the unit of the file, or in percent of the longest side of its box: 0.5%";
 
   Tool::Simplify_options simplify;
   CLI::App* verb = program.add_subcommand("simplify", "Simplify a mesh, and keep its attributes." + lengths);
-  verb->add_option("IN", simplify.input, "The mesh")->required();
+  add_shell(*verb, simplify, "as required by the tolerance or the number of facets; at first, the tolerance or 1%");
   verb->add_option("-o,--output", simplify.output, "The result; its extension selects the format")->required();
   add_length(*verb, "--tolerance", simplify.tolerance,
              "No point of either surface is farther from the other (default: none)");
-  auto* facets = verb->add_option("--facets", simplify.facets, "Stop at this number of facets")
-                   ->check(CLI::PositiveNumber);
-  verb->add_option("--ratio", simplify.ratio, "Stop at this fraction of the number of polygons")
-    ->check(CLI::Range(0., 1.))
+  auto* facets = verb->add_option("--facets", simplify.facets, "Stop at this number of triangles")->check(positive());
+  verb->add_option("--ratio", simplify.ratio, "Stop at this fraction of the number of triangles")
+    ->check(positive(1))
     ->excludes(facets);
-  add_length(*verb, "--thickness", simplify.thickness,
-             "Thickness of the shell (default: chosen for the tolerance; otherwise, 1%)");
+  add_length(*verb, "--border", simplify.border,
+             "Simplify open borders within this distance (default: borders are kept)");
   verb->add_flag("--keep-normals", simplify.carries_normals, "Interpolate normals instead of recomputing them");
   add_time_limit(*verb, simplify.seconds);
-  add_common(*verb, simplify.writes_json);
-  verb->callback([&] { code = Tool::simplify(simplify); });
+  add_common(*verb, writes_json,
+             "  bspline_shell simplify scan.obj -o small.obj --tolerance 0.5%\n"
+             "  bspline_shell simplify part.stl -o part.ply --facets 10000\n"
+             "  bspline_shell simplify terrain.ply -o coarse.ply --tolerance 2 --border 2\n");
+  verb->callback([&] { outcome = Tool::simplify(simplify, writes_json); });
 
   Tool::Remesh_options remesh;
-  bool remesh_writes_json = false;
   verb = program.add_subcommand("remesh",
                                 "Remesh a mesh to edges of about one length, and keep its attributes." + lengths);
-  verb->add_option("IN", remesh.input, "The mesh")->required();
+  add_shell(*verb, remesh, "1%");
   verb->add_option("-o,--output", remesh.output, "The result; its extension selects the format")->required();
   add_length(*verb, "--edge", remesh.edge, "Length of edges");
   verb->get_option("--edge")->required();
@@ -145,58 +177,56 @@ int main(int argc, char** argv)
     ->type_name("ANGLE")
     ->check(CLI::Range(0., 180.))
     ->capture_default_str();
-  add_length(*verb, "--thickness", remesh.thickness, "Thickness of the shell (default: 1%)");
   verb->add_flag("--keep-normals", remesh.carries_normals, "Interpolate normals instead of recomputing them");
   add_time_limit(*verb, remesh.seconds);
-  add_common(*verb, remesh_writes_json);
-  verb->callback([&] { code = Tool::report(Tool::remesh(remesh, remesh_writes_json), remesh_writes_json); });
+  add_common(*verb, writes_json, "  bspline_shell remesh part.ply -o even.ply --edge 1% --features 40\n");
+  verb->callback([&] { outcome = Tool::remesh(remesh, writes_json); });
 
   Tool::Transfer_options transfer;
-  bool transfer_writes_json = false;
   verb = program.add_subcommand("transfer", "Transfer the attributes of one mesh to another." + lengths);
-  verb->add_option("FROM", transfer.from, "The mesh with attributes")->required();
+  add_shell(*verb, transfer, "as required by the distance of TO", "FROM", "The mesh with attributes");
   verb->add_option("TO", transfer.to, "The mesh that gets them; its points and polygons are kept")->required();
   verb->add_option("-o,--output", transfer.output, "The result; its extension selects the format")->required();
-  add_length(*verb, "--thickness", transfer.thickness,
-             "Thickness of the shell of FROM (default: chosen from the distance of TO)");
   verb->add_flag("--normals", transfer.includes_normals, "Transfer normals as well");
-  verb
-    ->add_option("--bake", transfer.image, "Bake the colors of FROM into this PNG file, over TO's texture coordinates")
+  verb->add_option("--bake", transfer.image, "Bake colors of FROM into this PNG file, over texture coordinates of TO")
     ->type_name("IMAGE");
-  verb->add_option("--bake-normals", transfer.normal_image, "Bake the normals of FROM, in its coordinates")
+  verb->add_option("--bake-normals", transfer.normal_image, "Bake normals of FROM, in its coordinates")
     ->type_name("IMAGE");
   verb->add_option("--size", transfer.size, "Number of texels along each side of the image")
+    ->type_name("PIXELS")
     ->check(CLI::Range(1, 16384))
     ->capture_default_str();
-  verb->add_option("--margin", transfer.margin, "Number of texels that are filled around texture charts")
+  verb->add_option("--margin", transfer.margin, "Number of texels that are filled around charts")
+    ->type_name("PIXELS")
     ->check(CLI::Range(0, 1024))
     ->capture_default_str();
   add_time_limit(*verb, transfer.seconds);
-  add_common(*verb, transfer_writes_json);
-  verb->callback([&] { code = Tool::report(Tool::transfer(transfer, transfer_writes_json), transfer_writes_json); });
+  add_common(*verb, writes_json,
+             "  bspline_shell transfer scan.obj retopology.obj -o result.obj\n"
+             "  bspline_shell transfer scan.ply unwrapped.obj -o result.obj --bake colors.png --size 2048\n");
+  verb->callback([&] { outcome = Tool::transfer(transfer, writes_json); });
 
   Tool::Shell_options shell;
+  std::string prefix;
   verb = program.add_subcommand("shell", "Build a certified shell, its surfaces, and its certificate." + lengths);
-  verb->add_option("IN", shell.input, "The mesh")->required();
-  verb->add_option("-o,--output", shell.prefix, "Prefix of the names of the results")->required();
-  add_length(*verb, "--thickness", shell.thickness, "Thickness of the shell (default: 1%)");
+  add_shell(*verb, shell, "1%");
+  verb->add_option("-o,--output", prefix, "Prefix of the names of the results")->required();
   add_time_limit(*verb, shell.seconds);
-  add_common(*verb, shell.writes_json);
-  verb->callback([&] { code = Tool::shell(shell); });
+  add_common(*verb, writes_json, "  bspline_shell shell part.stl -o part\n");
+  verb->callback([&] { outcome = Tool::shell(shell, prefix, writes_json); });
 
-  Tool::Check_options check;
+  Tool::Shell_options check;
   verb = program.add_subcommand("check", "Describe a file, its defects, and the shell it can have." + lengths);
-  verb->add_option("IN", check.input, "The mesh")->required();
-  add_length(*verb, "--thickness", check.thickness, "Thickness of the shell (default: 1%)");
-  add_common(*verb, check.writes_json);
-  verb->callback([&] { code = Tool::check(check); });
+  add_shell(*verb, check, "1%");
+  add_common(*verb, writes_json, "  bspline_shell check part.stl --thickness 0.2\n");
+  verb->callback([&] { outcome = Tool::check(check, writes_json); });
 
-  Tool::Certify_options certify;
+  std::string shell_file, mesh_file;
   verb = program.add_subcommand("certify", "Prove that a mesh lies in a shell and is mapped one-to-one.");
-  verb->add_option("SHELL", certify.shell, "The shell")->required();
-  verb->add_option("MESH", certify.mesh, "The mesh")->required();
-  add_common(*verb, certify.writes_json);
-  verb->callback([&] { code = Tool::certify(certify); });
+  verb->add_option("SHELL", shell_file, "The shell")->required();
+  verb->add_option("MESH", mesh_file, "The mesh")->required();
+  add_common(*verb, writes_json, "  bspline_shell certify part.shell part_remeshed.ply\n");
+  verb->callback([&] { outcome = Tool::certify(shell_file, mesh_file, writes_json); });
 
   try {
     program.parse(argc, argv);
@@ -208,5 +238,5 @@ int main(int argc, char** argv)
     std::cerr << "bspline_shell: " << error.what() << std::endl;
     return Tool::WRONG_INPUT;
   }
-  return code;
+  return Tool::report(outcome, writes_json);
 }

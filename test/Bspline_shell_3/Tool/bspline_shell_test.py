@@ -76,6 +76,11 @@ with tempfile.TemporaryDirectory() as folder:
     assert sizes == sorted(sizes, reverse=True) and sizes[0] > sizes[2], sizes
     report = result("simplify", path("in.ply"), "-o", path("t.ply"), "--facets", "1000")
     assert report["facets"] in (999, 1000) and "number of facets" in report["limit"], report
+    assert report["reaches_target"], report
+    report = result("simplify", path("in.ply"), "-o", path("t.ply"), "--facets", "100")
+    assert report["facets"] in (99, 100) and report["reaches_target"] and report["thickness"] > 0.02, report
+    report = result("simplify", path("in.ply"), "-o", path("t.ply"), "--facets", "100", "--thickness", "1%")
+    assert report["facets"] > 100 and not report["reaches_target"] and report["keeps_lines"], report
     report = result("simplify", path("in.ply"), "-o", path("t.ply"), "--ratio", "0.5")
     assert abs(report["facets"] - len(triangles) / 2) <= 1, report
 
@@ -120,7 +125,15 @@ with tempfile.TemporaryDirectory() as folder:
                 wrong += math.dist(found["vt"][t], expected) > 0.03
     assert wrong <= 6 * report["facets_across_seams"], (wrong, report)
     report = result("simplify", source, "-o", path("few.obj"), "--facets", "60", "--thickness", "20%")
-    assert report["facets"] <= 60, report
+    assert report["facets"] <= 60 and report["keeps_lines"], report
+
+    # Borders between labels are given up only if this reaches the number of facets.
+    patch = lambda c: 8 * int(4 * (c[2] + 1)) + int(4 * (math.atan2(c[1], c[0]) / math.pi + 1))
+    write(path("patches.ply"), as_ply("ascii", points, triangles, [], [("patch", "int", patch)]))
+    report = result("simplify", path("patches.ply"), "-o", path("t.ply"), "--facets", "60", "--thickness", "20%")
+    assert report["facets"] <= 60 and report["reaches_target"] and not report["keeps_lines"], report
+    report = result("simplify", path("patches.ply"), "-o", path("t.ply"), "--facets", "60", "--thickness", "1%")
+    assert not report["reaches_target"] and report["keeps_lines"], report
 
     # OFF with colors, and STL with solids
     off = "COFF\n# colors\n%d %d 0\n" % (len(points), len(triangles))
@@ -184,10 +197,22 @@ with tempfile.TemporaryDirectory() as folder:
     assert len(kept) == 1 and face["label"][kept[0]] == 77, kept
     assert report["facets"] < len(triangles) / 2, report
 
+    # The border of an open mesh is kept, or simplified within a distance.
+    n = 24
+    grid = [(i / n, j / n, 0.05 * math.sin(6 * i / n) * math.cos(5 * j / n)) for j in range(n + 1) for i in range(n + 1)]
+    firsts = [i + (n + 1) * j for j in range(n) for i in range(n)]
+    squares = [t for a in firsts for t in ((a, a + 1, a + n + 1), (a + 1, a + n + 2, a + n + 1))]
+    write(path("open.ply"), as_ply("ascii", grid, squares, [], []))
+    kept = result("simplify", path("open.ply"), "-o", path("open_kept.ply"), "--tolerance", "1%")
+    fewer = result("simplify", path("open.ply"), "-o", path("open_fewer.ply"), "--tolerance", "1%", "--border", "1%")
+    assert kept["kind"] == "virtually closed" and kept["removed_border_edges"] == 0, kept
+    assert fewer["removed_border_edges"] > n and fewer["facets"] < kept["facets"], fewer
+    assert max(fewer["distance_to_result"], fewer["distance_to_input"]) <= 0.01, fewer
+
     # check, shell, certify
     report = result("check", path("in.ply"))
     assert report["kind"] == "closed" and report["components"] == 1 and report["polygons"] == len(triangles), report
-    assert report["thinnest_wall"] == report["search_limit"] and report["narrow_area"] == 0, report
+    assert report["thinnest_wall"] is None and report["narrow_area"] == 0, report
     report = result("check", path("in.ply"), "--thickness", "60%")
     assert 1.8 < report["thinnest_wall"] <= 2.01 and report["narrow_area"] == 0, report
     report = result("check", path("stray.ply"))
@@ -218,6 +243,11 @@ with tempfile.TemporaryDirectory() as folder:
                       ("simplify", path("in.ply"), "-o", path("t.ply"), "--tolerance", "0"),
                       ("simplify", path("in.ply"), "-o", path("t.ply"), "--tolerance", "x%")):
         assert run(*arguments).returncode == WRONG_USAGE, arguments
+    done = run("simplify", path("missing.ply"), "-o", path("t.ply"), "--json")
+    failure = json.loads(done.stdout)
+    assert "does not exist" in failure["error"] and failure["exit_code"] == done.returncode == WRONG_INPUT, done
+    done = run("simplify", path("in.ply"), "-o", path("t.ply"), "--ratio", "2")
+    assert done.returncode == WRONG_USAGE and "at most 1" in done.stderr, done
     before = read(path("t.ply"))
     for name, contents, said in (("missing.ply", None, "does not exist"), ("broken.off", "OFF\n3 1 0\n0 0 0\n", "broken.off, line 3"),
                                  ("none.obj", "", "is empty"), ("points.obj", "v 0 0 0\n", "no polygons"),

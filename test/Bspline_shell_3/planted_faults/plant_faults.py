@@ -197,6 +197,8 @@ def render(text, begin, end, places):
                 fail(f"{place.faults[0].name}: what is declared would end with the braces; mark a part of the declaration")
             result += "{ " + "".join(f"if(planted({fault.number})) {{ {fault.replacement} }} else " for fault in place.faults) + f"{{ {inner} }} }}"
         else:
+            if re.match(r"(return|if|for|while)\b", inner.strip()):
+                fail(f"{place.faults[0].name}: mark an expression, or a statement with its semicolon")
             result += "(" + "".join(f"planted({fault.number}) ? ({fault.replacement}) : " for fault in place.faults) + f"({inner}))"
         begin = place.end
     return result + text[begin:end]

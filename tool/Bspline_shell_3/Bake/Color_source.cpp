@@ -1,5 +1,6 @@
 #include "Color_source.h"
 
+#include "../Carry/texture_comments.h"
 #include "../Files/Words.h"
 #include "../Files/numbers.h"
 
@@ -22,10 +23,10 @@ Color_source::Color_source(const Model& model, std::vector<std::string>& warning
 
 Color Color_source::operator()(std::size_t polygon, const Mix& mix) const
 {
-  const Material* const material = material_of(polygon);
-  if(material != nullptr && material->texture && m_texture != nullptr) {
+  const Material& material = material_of(polygon);
+  if(material.texture && m_texture != nullptr) {
     const std::vector<double> uv = m_mixer(*m_texture, mix);
-    if(std::isfinite(uv[0]) && std::isfinite(uv[1])) return material->texture->sample(uv[0], uv[1]);
+    if(std::isfinite(uv[0]) && std::isfinite(uv[1])) return material.texture->sample(uv[0], uv[1]);
   }
   if(m_colors != nullptr) {
     Color color;
@@ -35,17 +36,14 @@ Color Color_source::operator()(std::size_t polygon, const Mix& mix) const
     for(double& x : color) x = std::isnan(x) ? 0 : factor * x;
     return color;
   }
-  return material != nullptr && material->color ? *material->color : Color{};
+  return material.color ? *material.color : Color{};
 }
 
 void Color_source::read_materials(std::vector<std::string>& warnings)
 {
   m_materials.emplace_back();
-  for(const std::string& comment : m_model->comments) {
-    const std::string keyword = "comment TextureFile "; // of PLY files
-    if(comment.compare(0, keyword.size(), keyword) == 0 && !m_materials[0].texture)
-      m_materials[0].texture = texture(comment.substr(keyword.size()), warnings);
-  }
+  for(const std::string& comment : texture_comments(*m_model))
+    if(!m_materials[0].texture) m_materials[0].texture = texture(comment.substr(texture_comment.size()), warnings);
   Lines lines(m_model->materials);
   while(lines.next()) {
     const auto& words = lines.words;
@@ -57,7 +55,8 @@ void Color_source::read_materials(std::vector<std::string>& warnings)
       for(double& x : color) x *= 255;
       if(are_numbers) m_materials.back().color = color;
     } else if(words[0] == "map_Kd" && words.size() > 1 && m_texture != nullptr)
-      m_materials.back().texture = texture(words.size() == 2 ? lines.rest() : std::string(words.back()), warnings);
+      m_materials.back().texture = texture(words[1].front() == '-' ? std::string(words.back()) : lines.rest(),
+                                           warnings);
   }
 }
 
@@ -75,14 +74,14 @@ bool Color_source::has_materials() const
   });
 }
 
-const Color_source::Material* Color_source::material_of(std::size_t polygon) const
+const Color_source::Material& Color_source::material_of(std::size_t polygon) const
 {
-  if(m_labels == nullptr) return &m_materials[0];
+  if(m_labels == nullptr) return m_materials[0];
   const std::size_t label = std::size_t((*m_labels)[polygon][0]);
-  if(label >= m_labels->names.size()) return nullptr;
+  if(label >= m_labels->names.size()) return m_materials[0];
   const auto found = std::find_if(m_materials.begin() + 1, m_materials.end(),
                                   [&](const Material& material) { return material.name == m_labels->names[label]; });
-  return found == m_materials.end() ? nullptr : &*found;
+  return found == m_materials.end() ? m_materials[0] : *found;
 }
 
 } // namespace Tool

@@ -37,7 +37,7 @@ private:
   void read_materials(std::vector<std::string>& warnings);
   std::optional<Image> texture(const std::string& name, std::vector<std::string>& warnings) const;
   bool has_materials() const;
-  const Material* material_of(std::size_t polygon) const;
+  const Material& material_of(std::size_t polygon) const;
 
   const Model* m_model;
   Mixer m_mixer;

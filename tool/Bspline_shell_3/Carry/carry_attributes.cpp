@@ -69,14 +69,15 @@ Model carry(const Map& map, const Model& model, const BS::Excised_soup_3* excise
 } // namespace
 
 Model carry_attributes(const Model& model, const BS::Shell_of_soup_3& found, const Mesh& mesh,
-                       const BS::Rejoined_soup_3& rejoined, Normals normals, Carry_report& report,
-                       const std::function<void(double)>& progress)
+                       const std::shared_ptr<const BS::Shell_closing_3>& closing, const BS::Rejoined_soup_3& rejoined,
+                       Normals normals, Carry_report& report, const std::function<void(double)>& progress)
 {
   if(found.proxy) {
     const auto map = found.proxy->map(mesh);
     return carry(map, model, nullptr, rejoined, normals, report, progress);
   }
-  const Mesh_map map(found.shell(), found.mesh(), mesh);
+  const Mesh_map map(found.shell(), found.mesh(), mesh, BS::parameters::closing(found.shell().closing()),
+                     BS::parameters::closing(closing));
   return carry(map, model, found.excised.get(), rejoined, normals, report, progress);
 }
 

@@ -6,11 +6,13 @@
 
 #include "../Files/Model.h"
 
+#include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
 #include <CGAL/Bspline_shell_3/Soup/Shell_of_soup_3.h>
 #include <CGAL/Bspline_shell_3/Soup/rejoin_excised.h>
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 namespace Tool {
 
@@ -28,11 +30,12 @@ struct Carry_report
 
 // Returns a model with the facets of a mesh in the shell of a model, and with the attributes of the model. Excised
 // triangles follow the facets, and keep their attributes.
+// \param closing the triangles that close the mesh if it is open
 // \param rejoined the mesh and the excised triangles; empty if there are none
 // \param progress called with the fraction of the work that is done
 Model carry_attributes(const Model& model, const BS::Shell_of_soup_3& found, const Mesh& mesh,
-                       const BS::Rejoined_soup_3& rejoined, Normals normals, Carry_report& report,
-                       const std::function<void(double)>& progress);
+                       const std::shared_ptr<const BS::Shell_closing_3>& closing, const BS::Rejoined_soup_3& rejoined,
+                       Normals normals, Carry_report& report, const std::function<void(double)>& progress);
 
 } // namespace Tool
 

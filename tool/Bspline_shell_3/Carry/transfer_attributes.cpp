@@ -2,25 +2,18 @@
 #include "corner_mixes.h"
 #include "finished_value.h"
 #include "polygon_values.h"
+#include "texture_comments.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <map>
 #include <utility>
 
 namespace Tool {
 
 namespace {
-
-constexpr const char* texture_comment = "comment TextureFile"; // names the texture of a PLY file
-
-bool is_texture_comment(const std::string& comment)
-{
-  return comment.compare(0, std::string(texture_comment).size(), texture_comment) == 0;
-}
 
 void append(std::vector<double>& values, const Attribute& a, const std::vector<double>& value)
 {
@@ -124,11 +117,8 @@ Model transfer_attributes(const Model& from, const Model& to, const Triangulated
     result.materials = from.materials;
     result.folder = from.folder;
   }
-  if(choice.includes_textures && std::any_of(from.comments.begin(), from.comments.end(), is_texture_comment)) {
-    auto& comments = result.comments;
-    comments.erase(std::remove_if(comments.begin(), comments.end(), is_texture_comment), comments.end());
-    std::copy_if(from.comments.begin(), from.comments.end(), std::back_inserter(comments), is_texture_comment);
-  }
+  const std::vector<std::string> textures = texture_comments(from);
+  if(choice.includes_textures && !textures.empty()) set_texture_comments(result, textures);
   progress(1);
   if(parts.is_one_to_one()) return result;
   Attribute mapped{ mapped_name, Element::POINT, Kind::LABEL, Number_type::UINT8, { mapped_name }, {}, {} };

@@ -33,6 +33,7 @@ Json json_of(const Edit_summary& summary, const Model& model, const BS::Shell_of
     .add("kind", name(found.kind()))
     .add("facets_before", summary.facets_before)
     .add("facets", summary.facets)
+    .add("reaches_target", summary.reaches_target)
     .add("distance_to_result", summary.distances.to_second)
     .add("distance_to_input", summary.distances.to_first)
     .add("thickness", summary.thickness)
@@ -40,6 +41,7 @@ Json json_of(const Edit_summary& summary, const Model& model, const BS::Shell_of
     .add("polygons", changes(model, found))
     .add("attributes", summary.attributes)
     .add("warnings", summary.warnings)
+    .add("removed_border_edges", summary.removed_border_edges)
     .add("facets_across_seams", summary.carried.facets_across_seams)
     .add("points_without_image", summary.carried.points_without_image)
     .add("seconds", summary.seconds);
@@ -53,11 +55,17 @@ void print(const Edit_summary& summary, const Model& model, const BS::Shell_of_s
     return std::cout << std::left << std::setw(12) << title;
   };
   const double distance = summary.distances.largest();
-  line("facets") << summary.facets << " of " << summary.facets_before << "\n";
+  const std::size_t polygons = model.soup.polygons.size();
+  line("facets") << summary.facets << " of " << summary.facets_before
+                 << (polygons == summary.facets_before ? "" : " (" + std::to_string(polygons) + " polygons)")
+                 << (summary.reaches_target ? "" : ": the requested number is not reached") << "\n";
   line("distance") << "at most " << number(distance) << " between any point of one surface and the other ("
                    << percent(distance / longest_side(model)) << " of the box)\n";
-  line("map") << "one-to-one" << (found.proxy ? " from the proxy" : "") << ", " << name(found.certification()) << "; "
-              << name(found.kind()) << "\n";
+  line("map") << "one-to-one" << (found.proxy ? " from the proxy" : "")
+              << (summary.removed_border_edges > 0 ? ", except for strips along the border" : "") << ", "
+              << name(found.certification()) << "; " << name(found.kind()) << "\n";
+  const std::string welding = message(found.weld);
+  if(!welding.empty()) line("welding") << with_options(welding) << "\n";
   if(found.excised) line("excised") << with_options(found.excision_message()) << "\n";
   if(found.proxy) line("proxy") << with_options(found.mesh_message()) << "\n";
   if(!summary.attributes.empty()) {

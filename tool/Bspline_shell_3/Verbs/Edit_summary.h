@@ -21,14 +21,31 @@ struct Edit_summary
 {
   std::string input, output;
   std::size_t facets_before = 0, facets = 0; // numbers for the whole surface
-  Distance_bounds distances;                 // between the model and the result
-  double thickness = 0;                      // requested thickness of the shell
-  bool is_rounded = false;                   // whether coordinates are those of a file of floats
+  bool reaches_target = true;                // whether a requested number of facets is reached
+  std::size_t removed_border_edges = 0;
+  Distance_bounds distances; // between the model and the result
+  double thickness = 0;      // requested thickness of the shell
+  bool is_rounded = false;   // whether coordinates are those of a file of floats
   Carry_report carried;
   std::vector<std::string> attributes, warnings;
   std::string limit; // what ended the edit, as a sentence
   double seconds = 0;
 };
+
+// Begins a report with the results of an edit: of `Simplified` or `Remeshed`.
+template <typename Edited>
+Edit_summary summary_of(const Edited& result, const std::string& input, const std::string& output)
+{
+  Edit_summary summary;
+  summary.input = input;
+  summary.output = output;
+  summary.facets_before = result.facets_before;
+  summary.facets = result.facets;
+  summary.distances = result.distances;
+  summary.thickness = result.thickness;
+  summary.is_rounded = result.is_rounded;
+  return summary;
+}
 
 // Returns the report, to which a verb may add members.
 Json json_of(const Edit_summary& summary, const Model& model, const BS::Shell_of_soup_3& found);

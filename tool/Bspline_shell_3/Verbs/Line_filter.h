@@ -26,11 +26,15 @@ class Line_filter
   typedef Kernel::Point_3 Point;
 
 public:
+  typedef std::set<Point> Points;
+
   // \param mesh the mesh before the simplification
   // \param is_line its edges on lines, which change with the mesh
   // \param excised null if there are no excised triangles
-  Line_filter(const Mesh& mesh, Edge_marks is_line, double distance, const BS::Excised_soup_3* excised)
-    : m_is_line(is_line), m_squared_distance(distance * distance)
+  // \param pins vertices that are kept
+  Line_filter(const Mesh& mesh, Edge_marks is_line, double distance, const BS::Excised_soup_3* excised,
+              const Points& pins)
+    : m_is_line(is_line), m_squared_distance(distance * distance), m_pins(pins)
   {
     for(Mesh::Edge_index e : mesh.edges()) {
       const Point &p = mesh.point(mesh.vertex(e, 0)), &q = mesh.point(mesh.vertex(e, 1));
@@ -90,7 +94,7 @@ private:
   Edge_marks m_is_line;
   double m_squared_distance;
   std::map<Point, std::vector<Point> > m_neighbors; // on the initial lines
-  std::set<Point> m_pins;
+  Points m_pins;
   std::optional<BS::Excision_filter> m_excision;
 };
 

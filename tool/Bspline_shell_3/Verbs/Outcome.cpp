@@ -48,16 +48,20 @@ std::string with_options(std::string message)
   static const std::map<std::string, std::string> options = { { "time_limit", "--time-limit" },
                                                               { "weld_tolerance", "--weld" },
                                                               { "thickness", "--thickness" },
-                                                              { "relative_thickness", "--thickness" } };
+                                                              { "relative_thickness", "--thickness" },
+                                                              { "largest_excised_share", "--excise" } };
   const auto is_of_name = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == ':'; };
-  for(std::size_t open = message.find(" ("); open != std::string::npos; open = message.find(" (", open + 1)) {
+  for(std::size_t open = message.find(" ("); open != std::string::npos; open = message.find(" (", open)) {
     const std::size_t close = message.find(')', open);
     if(close == std::string::npos) break;
     const std::string name = message.substr(open + 2, close - open - 2);
     const auto option = options.find(name);
     const bool is_name = std::all_of(name.begin(), name.end(), is_of_name) && name.find('_') != std::string::npos;
-    if(option != options.end()) message.replace(open + 2, name.size(), option->second);
-    else if(is_name) message.erase(open--, close + 1 - open);
+    if(option == options.end() && is_name) message.erase(open, close + 1 - open);
+    else {
+      if(option != options.end()) message.replace(open + 2, name.size(), option->second);
+      open += 2;
+    }
   }
   return message;
 }

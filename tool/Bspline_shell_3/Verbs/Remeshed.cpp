@@ -11,6 +11,7 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <functional>
+#include <limits>
 
 namespace Tool {
 
@@ -56,6 +57,7 @@ Remeshed remesh_in_shell(const Model& model, const BS::Shell_of_soup_3& found, c
                          const Time_limit& time, Progress& progress)
 {
   Remeshed result;
+  result.thickness = target.thickness;
   const auto fail = [&](const std::string& message) {
     result.message = with_options(message);
     progress.clear();
@@ -94,8 +96,10 @@ Remeshed remesh_in_shell(const Model& model, const BS::Shell_of_soup_3& found, c
                                             .visitor(std::ref(visitor)));
   if(!report) return fail(report.message());
   result.end = report.end;
+  result.closing = report.closing;
   mesh.collect_garbage();
-  result.is_rounded = model.coordinates == Number_type::FLOAT32 && round_coordinates(mesh, found.shell());
+  result.is_rounded = model.coordinates == Number_type::FLOAT32
+                      && round_coordinates(mesh, found.shell(), result.closing);
   if(found.excised) {
     result.rejoined = BS::rejoin_excised(*found.excised, mesh);
     if(!result.rejoined) return fail(message(result.rejoined.verdict.status));
@@ -104,7 +108,8 @@ Remeshed remesh_in_shell(const Model& model, const BS::Shell_of_soup_3& found, c
   measure_edges(mesh, target.edge, result);
   progress.show("distances", 0);
   constexpr double resolution = 0.01; // relative to the thickness
-  result.distances = distances_of_edit(found, mesh, resolution * found.shell().thickness());
+  result.distances = distances_of_edit(found, mesh, resolution * found.shell().thickness(),
+                                       std::numeric_limits<double>::infinity());
   progress.clear();
   return result;
 }

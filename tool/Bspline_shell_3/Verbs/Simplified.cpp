@@ -1,21 +1,18 @@
 #include "Simplified.h"
-#include "Line_filter.h"
+#include "Outcome.h"
+#include "finish_edit.h"
 
 #include "../Carry/Corner_groups.h"
 
-#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
-#include <CGAL/Real_timer.h>
-#include <CGAL/certified_shell_of_soup_3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace Tool {
 
 namespace {
-
-typedef BS::Shell_certificate_3<Shell::Field, Shell::Threshold> Certificate;
 
 // Marks the lines of a mesh, and returns their number of edges.
 std::size_t mark_lines(const Model& model, Mesh& mesh, Edge_marks marks)
@@ -30,83 +27,100 @@ std::size_t mark_lines(const Model& model, Mesh& mesh, Edge_marks marks)
   return number;
 }
 
-// Simplifies a mesh without moving the pins of excised triangles.
-BS::Simplification_result<Mesh> simplify_mesh(Mesh& mesh, Edge_marks lines, bool has_lines, std::size_t facets,
-                                              const Simplify_target& target, double seconds,
-                                              const BS::Shell_of_soup_3& found)
+// Stops at a number of facets, or at a time.
+class Timed_stop_predicate
 {
-  constexpr double least_seconds = 1e-3; // time limits must be positive
-  const BS::Facet_count_stop_predicate stop(facets);
-  const auto np = BS::parameters::stop(stop).time_limit((std::max)(seconds, least_seconds));
-  if(!has_lines && !found.excised) return BS::simplify_in_shell(mesh, found.shell(), np);
-  const Line_filter filter(mesh, lines, target.thickness, found.excised.get());
-  return BS::simplify_in_shell(mesh, found.shell(),
-                               np.filter(std::cref(filter)).edge_is_constrained_map(lines).protect_constraints(false));
+public:
+  Timed_stop_predicate(std::size_t facets, const Time_limit& time, bool& is_late)
+    : m_facets(facets), m_time(&time), m_is_late(&is_late)
+  {}
+
+  template <typename FT, typename Profile>
+  bool operator()(const FT& cost, const Profile& profile, std::size_t initial, std::size_t current) const
+  {
+    constexpr double share = 0.7; // of the time limit
+    *m_is_late = m_time->seconds() > share * m_time->limit();
+    return *m_is_late || m_facets(cost, profile, initial, current);
+  }
+
+private:
+  BS::Facet_count_stop_predicate m_facets;
+  const Time_limit* m_time;
+  bool* m_is_late;
+};
+
+BS::Simplification_result<Mesh> simplify_mesh(Mesh& mesh, Edge_marks lines, bool needs_filter, std::size_t facets,
+                                              const BS::Shell_of_soup_3& found, const Simplify_target& target,
+                                              const Time_limit& time, bool& is_late)
+{
+  const auto simplify = [&](const auto& stop) {
+    const auto np = BS::parameters::stop(stop).border_tolerance(target.border_tolerance);
+    if(!needs_filter) return BS::simplify_in_shell(mesh, found.shell(), np);
+    const Line_filter filter(mesh, lines, target.line_tolerance, found.excised.get(), target.pins);
+    return BS::simplify_in_shell(
+      mesh, found.shell(), np.filter(std::cref(filter)).edge_is_constrained_map(lines).protect_constraints(false));
+  };
+  if(std::isfinite(time.limit())) return simplify(Timed_stop_predicate(facets, time, is_late));
+  return simplify(BS::Facet_count_stop_predicate(facets));
 }
 
-// Rounds coordinates to floats if the mesh remains certified, and returns whether it does.
-bool round_coordinates(Mesh& mesh, const Shell& shell)
+Limit limit_of(BS::Edit_termination end, bool is_late)
 {
-  Mesh rounded = mesh;
-  for(auto v : rounded.vertices()) {
-    const auto& p = mesh.point(v);
-    rounded.point(v) = Mesh::Point(float(p.x()), float(p.y()), float(p.z()));
+  switch(end) {
+    case BS::Edit_termination::STOP_PREDICATE: return is_late ? Limit::TIME : Limit::FACETS;
+    case BS::Edit_termination::SHELL: return Limit::SHELL;
+    case BS::Edit_termination::FILTER: return Limit::LINES;
+    default: return Limit::MESH;
   }
-  Certificate certificate(shell);
-  if(!certificate.verify(rounded)) return false;
-  mesh = std::move(rounded);
-  return true;
 }
 
 } // namespace
 
-void simplify_model(const Model& model, const Simplify_target& target, Progress& progress, Simplified& result)
+Simplified simplify_in_shell(const Model& model, const std::shared_ptr<const BS::Shell_of_soup_3>& found,
+                             const Simplify_target& target, const Time_limit& time, Progress& progress)
 {
-  CGAL::Real_timer timer;
-  timer.start();
-  const auto fail = [&](Simplify_status status, const std::string& message) {
-    result.status = status;
-    result.message = message;
-    progress.clear();
-  };
-  result.found = CGAL::certified_shell_of_soup_3(
-    model.soup, BS::parameters::thickness(target.thickness).time_limit(target.seconds).visitor(std::ref(progress)));
-  const BS::Shell_of_soup_3& found = result.found;
-  if(!found) return fail(Simplify_status::NO_SHELL, found.message());
-  if(found.certification() == BS::Certification::NONE) return fail(Simplify_status::NOT_CERTIFIED, found.message());
-
-  result.mesh = found.mesh();
-  const std::size_t excised = found.excised ? found.excised->excised_triangles().size() : 0;
-  result.facets_before = found.mesh().number_of_faces() + excised;
+  Simplified result;
+  result.found = found;
+  result.mesh = found->mesh();
+  const std::size_t excised = found->excised ? found->excised->excised_triangles().size() : 0;
+  result.facets_before = found->mesh().number_of_faces() + excised;
   const std::size_t facets = target.facets == 0 ? 0 : target.facets <= excised ? 1 : target.facets - excised;
   auto lines = result.mesh.add_property_map<Mesh::Edge_index, bool>("e:is_line", false).first;
-  if(!found.proxy) result.lines = mark_lines(model, result.mesh, lines);
-  progress.show("simplification", 0);
-  auto simplified = simplify_mesh(result.mesh, lines, result.lines > 0, facets, target, target.seconds - timer.time(),
-                                  found);
-  if(simplified && result.lines > 0 && facets > 0 && simplified.facets > facets) {
-    result.gave_up_lines = true;
+  if(!found->proxy) result.lines = mark_lines(model, result.mesh, lines);
+  result.keeps_lines = target.keeps_lines || result.lines == 0;
+  if(!result.keeps_lines)
     for(auto e : result.mesh.edges()) lines[e] = false;
-    simplified = simplify_mesh(result.mesh, lines, false, facets, target, target.seconds - timer.time(), found);
+
+  result.pins = target.pins.size();
+  progress.show("simplification", 0);
+  bool is_late = false;
+  const bool needs_filter = (result.keeps_lines && result.lines > 0) || found->excised || !target.pins.empty();
+  const auto simplified = simplify_mesh(result.mesh, lines, needs_filter, facets, *found, target, time, is_late);
+  if(!simplified) {
+    result.message = with_options(simplified.message());
+    return result;
   }
-  if(!simplified) return fail(Simplify_status::NOT_SIMPLIFIED, simplified.message());
-  result.end = simplified.end;
+  result.limit = limit_of(simplified.end, is_late);
+  result.closing = simplified.closing;
+  result.removed_border_edges = simplified.removed_border_edges;
   result.mesh.collect_garbage();
-  result.is_rounded = target.rounds_coordinates && round_coordinates(result.mesh, found.shell());
-  if(found.excised) {
-    result.rejoined = BS::rejoin_excised(*found.excised, result.mesh);
-    if(!result.rejoined) return fail(Simplify_status::NOT_SIMPLIFIED, message(result.rejoined.verdict.status));
+  result.is_rounded = model.coordinates == Number_type::FLOAT32
+                      && round_coordinates(result.mesh, found->shell(), result.closing);
+  if(found->excised) {
+    result.rejoined = BS::rejoin_excised(*found->excised, result.mesh);
+    if(!result.rejoined) {
+      result.message = with_options(message(result.rejoined.verdict.status));
+      return result;
+    }
   }
   result.facets = result.mesh.number_of_faces() + excised;
+
   progress.show("distances", 0);
-  constexpr double resolution = 0.02; // relative to the thickness
-  result.distances = distance_bounds(found.proxy ? found.proxy->soup().mesh() : found.mesh(), result.mesh,
-                                     resolution * target.thickness);
-  if(!found.weld.is_none()) {
-    result.distances.to_first += found.weld.tolerance;
-    result.distances.to_second += found.weld.tolerance;
-  }
-  result.status = Simplify_status::SUCCESS;
+  constexpr double resolution = 0.01; // relative to the thickness and the tolerance
+  const double finest = resolution * (std::min)(found->shell().thickness(), target.surface_tolerance);
+  result.distances = distances_of_edit(*found, result.mesh, finest, target.surface_tolerance);
+  progress.clear();
+  return result;
 }
 
 } // namespace Tool

@@ -4,14 +4,11 @@
 #include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Real_timer.h>
-#include <CGAL/certified_shell_of_soup_3.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -83,26 +80,25 @@ std::vector<double> thicknesses(double unit, double distance, const std::vector<
 
 } // namespace
 
-std::unique_ptr<const Transfer_map> transfer_map(const Model& from, const Model& to, double thickness, double distance,
-                                                 double seconds, Progress& progress)
+std::unique_ptr<const Transfer_map> transfer_map(const Model& from, const Model& to, const Shell_options& options,
+                                                 double distance, const Time_limit& time, Progress& progress)
 {
-  CGAL::Real_timer timer;
-  timer.start();
+  constexpr double least_seconds = 1e-3; // time limits must be positive
+  const double unit = longest_side(from);
   const Triangulated_model source(from), target(to);
   const std::vector<Nearest> nearest = nearest_points(target.mesh(), source.mesh());
-  const std::vector<double> attempts = thickness > 0 ? std::vector<double>{ thickness }
-                                                     : thicknesses(longest_side(from), distance, nearest);
+  const std::vector<double> attempts = options.thickness ? std::vector<double>{ options.thickness->in_box(unit) }
+                                                         : thicknesses(unit, distance, nearest);
   std::unique_ptr<const Transfer_map> best;
   for(double attempt : attempts) {
-    const double left = seconds - timer.time();
-    if(best && !(left > 0)) break;
+    if(best && !(time.left() > 0)) break;
     auto result = std::make_unique<Transfer_map>(to);
     result->thickness = attempt;
-    result->found = CGAL::certified_shell_of_soup_3(
-      from.soup, BS::parameters::thickness(attempt).time_limit((std::max)(left, 1e-3)).visitor(std::ref(progress)));
+    result->failure = find_shell(from, options, attempt, (std::max)(time.left(), least_seconds), progress,
+                                 result->found);
     progress.show("map", 0);
-    const bool has_mesh = result->found.certification() != BS::Certification::NONE;
-    if(is_opposed(has_mesh ? nearest_points(target.mesh(), result->found.mesh()) : nearest)) result->mesh.reverse();
+    if(is_opposed(result->failure ? nearest_points(target.mesh(), result->found.mesh()) : nearest))
+      result->mesh.reverse();
     result->map = std::make_unique<const Model_map>(from, result->found, result->mesh.mesh());
     result->parts = mapped_parts(*result->map);
     progress.clear();

@@ -1,4 +1,3 @@
-#include "Exit_code.h"
 #include "Input.h"
 #include "Json.h"
 #include "verbs.h"
@@ -10,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/Local_gap_3.h>
 #include <CGAL/Bspline_shell_3/Soup/choose_excision.h>
 #include <CGAL/Bspline_shell_3/Soup/repair_soup.h>
+#include <CGAL/Bspline_shell_3/Soup/unite_parts.h>
 #include <CGAL/Bspline_shell_3/Soup/weld_soup.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <string>
@@ -29,8 +30,6 @@
 namespace Tool {
 
 namespace {
-
-constexpr double largest_excised_share = 0.1; // default of `certified_shell_of_soup_3()`
 
 const char* name(Element element)
 {
@@ -48,6 +47,9 @@ struct Gaps
   double limit = 0; // 0 if they are not known
   double thinnest_wall = 0, narrowest_gap = 0;
   double narrow_area = 0; // share of the area where a wall or a gap is narrower than the shell
+
+  // Returns an infinite width if there is none below the limit.
+  double if_found(double width) const { return width < limit ? width : std::numeric_limits<double>::infinity(); }
 };
 
 Gaps measure_gaps(const BS::Input_mesh_3& input, double thickness)
@@ -89,12 +91,13 @@ struct Findings
   std::string kind; // kind of the shell that can be expected
 };
 
-Findings examine(const Model& model, double thickness)
+Findings examine(const Model& model, const Shell_options& options, double thickness)
 {
   Findings found;
   Mesh mesh;
   BS::Weld_parameters welding;
   welding.thickness = thickness;
+  if(options.weld) welding.tolerance = options.weld->in_box(longest_side(model));
   found.status = BS::repair_soup(model.soup, mesh, found.repairs, found.offenders);
   switch(found.status) {
     case BS::Shell_status::EMPTY_MESH:
@@ -121,6 +124,11 @@ Findings examine(const Model& model, double thickness)
       found.offenders.facets.assign(facets.begin(), facets.end());
     }
     has_defects = !facets.empty();
+    BS::United_mesh united;
+    if(has_defects && found.border_edges == 0 && BS::unite_parts<CGAL::Parallel_if_available_tag>(mesh, united)) {
+      found.kind = "united";
+      return found;
+    }
     BS::Input_mesh_3::Tolerated_defects tolerated;
     tolerated.singular_vertices = tolerated.orientation = true;
     BS::Input_mesh_3 input;
@@ -131,7 +139,7 @@ Findings examine(const Model& model, double thickness)
   if(has_defects) {
     const BS::Excised_soup_3 excised = BS::choose_excision(BS::different_triangles(welded.soup));
     found.excised_share = excised ? excised.report().excised_area : 1;
-    found.kind = found.excised_share <= largest_excised_share ? "excised" : "proxy";
+    found.kind = 100 * found.excised_share <= options.excised_percentage ? "excised" : "proxy";
   } else found.kind = found.border_edges > 0 ? "virtually closed" : "closed";
   return found;
 }
@@ -154,11 +162,11 @@ void print(const Findings& found, double thickness)
   line(found.repairs.reversed_polygons, "polygons reversed");
   line(found.repairs.degenerate_facets, "degenerate facets removed");
   const std::string welding = message(found.weld);
-  if(!welding.empty()) std::cout << "welding     " << welding << "\n";
+  if(!welding.empty()) std::cout << "welding     " << with_options(welding) << "\n";
   if(found.components > 0)
     std::cout << "mesh        " << found.components << (found.components == 1 ? " component, " : " components, ")
               << found.border_edges << " border edges, " << found.intersecting << " facets intersect others\n";
-  else std::cout << "mesh        " << mesh_message(found.status) << "\n";
+  else std::cout << "mesh        " << with_options(mesh_message(found.status)) << "\n";
   if(found.gaps.limit > 0) {
     const auto width = [&](const char* what, double x) {
       std::cout << what << (x < found.gaps.limit ? "narrowest " : "none narrower than ") << x << "\n";
@@ -169,31 +177,28 @@ void print(const Findings& found, double thickness)
               << " % of the area\n";
   }
   if(found.excised_share > 0)
-    std::cout << "excision    " << 100 * found.excised_share << " % of the area has defects\n";
-  std::cout << "shell       " << found.kind << std::endl;
+    std::cout << "excision    " << 100 * found.excised_share << " % of the area has to be excised\n";
+  std::cout << "shell       " << found.kind
+            << (found.kind == "excised" ? ", or proxy if the remaining triangles have no certified shell" : "")
+            << std::endl;
 }
 
 } // namespace
 
-int check(const Check_options& options)
+Outcome check(const Shell_options& options, bool writes_json)
 {
   Model model;
-  if(!read_input(options.input, model)) return WRONG_INPUT;
-  constexpr double default_thickness = 0.01;
-  const double unit = longest_side(model);
-  const double thickness = options.thickness ? options.thickness->in_box(unit) : default_thickness * unit;
+  if(const Outcome read = read_input(options.input, model); !read) return read;
+  const double unit = longest_side(model), thickness = thickness_of(options, unit);
   const std::string format = extension_of(options.input).substr(1) + (model.encoding.empty() ? "" : ", ")
                              + model.encoding;
   const std::size_t corners = model.first_corners().back();
-  const Findings found = examine(model, thickness);
-  if(found.kind.empty()) {
-    complain(options.input, message(found.status), found.offenders);
-    return WRONG_INPUT;
-  }
+  const Findings found = examine(model, options, thickness);
+  if(found.kind.empty()) return { WRONG_INPUT, options.input, with_options(message(found.status)), found.offenders };
   std::vector<std::string> attributes;
   for(const Attribute& a : model.attributes)
     attributes.push_back(a.name + " (" + name(a.element) + ", " + std::to_string(a.dimension()) + ")");
-  if(options.writes_json) {
+  if(writes_json) {
     Json json;
     json.add("input", options.input)
       .add("format", format)
@@ -202,7 +207,7 @@ int check(const Check_options& options)
       .add("corners", corners)
       .add("longest_side", unit)
       .add("attributes", attributes)
-      .add("mesh_status", mesh_message(found.status))
+      .add("mesh_status", with_options(mesh_message(found.status)))
       .add("facets", found.offenders.facets)
       .add("vertices", found.offenders.vertices)
       .add("components", found.components)
@@ -212,8 +217,8 @@ int check(const Check_options& options)
       .add("kind", found.kind);
     if(found.gaps.limit > 0)
       json.add("search_limit", found.gaps.limit)
-        .add("thinnest_wall", found.gaps.thinnest_wall)
-        .add("narrowest_gap", found.gaps.narrowest_gap)
+        .add("thinnest_wall", found.gaps.if_found(found.gaps.thinnest_wall))
+        .add("narrowest_gap", found.gaps.if_found(found.gaps.narrowest_gap))
         .add("narrow_area", found.gaps.narrow_area);
     std::cout << json.text() << std::endl;
     return DONE;
@@ -226,9 +231,8 @@ int check(const Check_options& options)
     std::cout << "\n";
   }
   print(found, thickness);
-  if(!found.offenders.facets.empty() || !found.offenders.vertices.empty())
-    complain(options.input, mesh_message(found.status), found.offenders);
-  return DONE;
+  if(found.status == BS::Shell_status::SUCCESS) return DONE;
+  return { DONE, options.input, with_options(message(found.status)), found.offenders };
 }
 
 } // namespace Tool

@@ -5,6 +5,7 @@
 #include "../Carry/Mesh_origins.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace Tool {
 
@@ -12,6 +13,9 @@ struct Distance_bounds
 {
   double to_second = 0; // no point of the first mesh is farther than this from the second mesh
   double to_first = 0;  // and conversely
+  // facets of the first mesh that are not proved to be within the limit of the second mesh, or to which parts of the
+  // second mesh are closest that are not proved to be within the limit of the first mesh
+  std::vector<Mesh::Face_index> beyond_limit;
 
   double largest() const { return (std::max)(to_second, to_first); }
 };
@@ -20,7 +24,7 @@ struct Distance_bounds
 // a triangle is a convex function, so that it is largest at a corner of a facet. Facets are subdivided until this bound
 // suffices. The distance to a triangle is bounded by that to one of its points, so that only the rounding of lengths
 // has to be added.
-Distance_bounds distance_bounds(const Mesh& first, const Mesh& second, double resolution);
+Distance_bounds distance_bounds(const Mesh& first, const Mesh& second, double resolution, double limit);
 
 } // namespace Tool
 

@@ -2,11 +2,12 @@
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace Tool {
 
-bool round_coordinates(Mesh& mesh, const Shell& shell)
+bool round_coordinates(Mesh& mesh, const Shell& shell, const std::shared_ptr<const BS::Shell_closing_3>& closing)
 {
   Mesh rounded = mesh;
   for(auto v : rounded.vertices()) {
@@ -14,18 +15,18 @@ bool round_coordinates(Mesh& mesh, const Shell& shell)
     rounded.point(v) = Mesh::Point(float(p.x()), float(p.y()), float(p.z()));
   }
   BS::Shell_certificate_3<Shell::Field, Shell::Threshold> certificate(shell);
-  if(!certificate.verify(rounded)) return false;
+  if(!certificate.verify(rounded, BS::parameters::closing(closing))) return false;
   mesh = std::move(rounded);
   return true;
 }
 
-Distance_bounds distances_of_edit(const BS::Shell_of_soup_3& found, const Mesh& mesh, double resolution)
+Distance_bounds distances_of_edit(const BS::Shell_of_soup_3& found, const Mesh& mesh, double resolution, double limit)
 {
-  Distance_bounds bounds = distance_bounds(found.proxy ? found.proxy->soup().mesh() : found.mesh(), mesh, resolution);
-  if(!found.weld.is_none()) {
-    bounds.to_first += found.weld.tolerance;
-    bounds.to_second += found.weld.tolerance;
-  }
+  const double welded = found.weld.is_none() ? 0 : found.weld.tolerance;
+  Distance_bounds bounds = distance_bounds(found.proxy ? found.proxy->soup().mesh() : found.mesh(), mesh, resolution,
+                                           (std::max)(limit - welded, resolution));
+  bounds.to_first += welded;
+  bounds.to_second += welded;
   return bounds;
 }
 

@@ -1,26 +1,26 @@
-#include "remesh.h"
 #include "Edit_summary.h"
 #include "Input.h"
 #include "Remeshed.h"
 #include "Result_model.h"
 #include "number.h"
+#include "verbs.h"
 
-#include <CGAL/certified_shell_of_soup_3.h>
+#include "../Files/File_status.h"
 
-#include <functional>
 #include <iostream>
+#include <string>
 
 namespace Tool {
 
 namespace {
 
 // Returns why some edges may have other lengths.
-std::string message_of_end(const Remeshed& result, double thickness)
+std::string message_of_end(const Remeshed& result)
 {
   switch(result.end) {
     case BS::Edit_termination::TARGET: return "All edges have about the requested length.";
     case BS::Edit_termination::SHELL:
-      return "The shell prevents further changes: a larger --thickness than " + number(thickness)
+      return "The shell prevents further changes: a larger --thickness than " + number(result.thickness)
              + " may bring more edges to the requested length.";
     case BS::Edit_termination::VISITOR:
       return "The time limit ended the remeshing: a larger --time-limit may bring more edges to the requested length.";
@@ -35,44 +35,32 @@ Outcome remesh(const Remesh_options& options, bool writes_json)
 {
   if(const Outcome output = check_output(options.output, { options.input }); !output) return output;
   Model model;
-  if(!read_input(options.input, model)) return WRONG_INPUT;
-  if(!is_writable(options.output)) return { CANNOT_WRITE, options.output, "The file cannot be written." };
+  if(const Outcome read = read_input(options.input, model); !read) return read;
+  if(!is_writable(options.output)) return { CANNOT_WRITE, options.output, message(File_status::CANNOT_WRITE) };
 
   const Time_limit time(options.seconds);
   Progress progress;
   const double unit = longest_side(model);
-  constexpr double default_thickness = 0.01;
-  Edit_summary summary;
-  summary.input = options.input;
-  summary.output = options.output;
-  summary.thickness = options.thickness ? options.thickness->in_box(unit) : default_thickness * unit;
-  const BS::Shell_of_soup_3 found = CGAL::certified_shell_of_soup_3(
-    model.soup, BS::parameters::thickness(summary.thickness).time_limit(options.seconds).visitor(std::ref(progress)));
-  progress.clear();
-  if(found.certification() == BS::Certification::NONE)
-    return { found ? NOT_CERTIFIED : WRONG_INPUT, options.input, with_options(found.message()),
-             found.offending_simplices };
-
-  const double edge = options.edge->in_box(unit);
-  const Remeshed result = remesh_in_shell(model, found, { edge, options.feature }, time, progress);
+  const Remesh_target target{ thickness_of(options, unit), options.edge->in_box(unit), options.feature };
+  BS::Shell_of_soup_3 found;
+  if(const Outcome shell = find_shell(model, options, target.thickness, time.left(), progress, found); !shell)
+    return shell;
+  const Remeshed result = remesh_in_shell(model, found, target, time, progress);
   if(!result) return { NOT_CERTIFIED, options.input, result.message };
-  const Model output = carry_attributes(
-    model, found, result.mesh, result.rejoined, options.carries_normals ? Normals::CARRIED : Normals::RECOMPUTED,
-    summary.carried, [&](double fraction) { progress.show("attributes", fraction); });
+  Edit_summary summary = summary_of(result, options.input, options.output);
+  const Model output = carry_attributes(model, found, result.mesh, result.closing, result.rejoined,
+                                        options.carries_normals ? Normals::CARRIED : Normals::RECOMPUTED,
+                                        summary.carried,
+                                        [&](double fraction) { progress.show("attributes", fraction); });
   progress.clear();
   if(const Outcome written = write_result(output, options.output, { &model }, {}, summary.warnings); !written)
     return written;
-
-  summary.facets_before = result.facets_before;
-  summary.facets = result.facets;
-  summary.distances = result.distances;
-  summary.is_rounded = result.is_rounded;
-  summary.limit = message_of_end(result, summary.thickness);
-  summary.seconds = time.seconds();
   for(const Attribute& a : output.attributes) summary.attributes.push_back(a.name);
+  summary.limit = message_of_end(result);
+  summary.seconds = time.seconds();
   if(writes_json) {
     Json json = json_of(summary, model, found);
-    json.add("edge", edge)
+    json.add("edge", target.edge)
       .add("mean_edge", result.mean_edge)
       .add("share_near_edge", result.share_near_target)
       .add("edges_on_features", result.features)
@@ -81,13 +69,13 @@ Outcome remesh(const Remesh_options& options, bool writes_json)
     std::cout << json.text() << std::endl;
     return DONE;
   }
-  const std::string about = result.protects_lines ? ", which keep their edges, because excised triangles touch some"
-                                                  : "";
   print(summary, model, found,
-        { { "edges", percent(result.share_near_target) + " from 4/5 to 4/3 of " + number(edge) + "; mean length "
+        { { "edges", percent(result.share_near_target) + " from 4/5 to 4/3 of " + number(target.edge) + "; mean length "
                        + number(result.mean_edge) },
-          { "lines", std::to_string(result.features) + " edges on features, " + std::to_string(result.lines)
-                       + " on seams and borders of labels" + about } });
+          { "lines",
+            std::to_string(result.features) + " edges on features, " + std::to_string(result.lines)
+              + " on seams and borders of labels"
+              + (result.protects_lines ? ": not split or collapsed, because excised triangles touch edges" : "") } });
   return DONE;
 }
 

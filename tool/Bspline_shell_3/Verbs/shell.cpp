@@ -1,11 +1,10 @@
-#include "Exit_code.h"
 #include "Input.h"
 #include "Json.h"
-#include "Progress.h"
 #include "Result_files.h"
 #include "verbs.h"
 
 #include "../Carry/Mesh_origins.h"
+#include "../Files/File_status.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/IO/write_certificate.h>
@@ -13,14 +12,11 @@
 #include <CGAL/Bspline_shell_3/Soup/sample_soup_shares.h>
 #include <CGAL/Bspline_shell_3/Soup/write_report.h>
 #include <CGAL/Bspline_shell_3/Surface/extract_shell_surface.h>
-#include <CGAL/certified_shell_of_soup_3.h>
 
 #include <CGAL/IO/io.h>
 #include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
-#include <algorithm>
-#include <functional>
 #include <iostream>
 #include <sstream>
 
@@ -62,38 +58,26 @@ std::string excised_triangles(const BS::Excised_soup_3& soup)
 
 } // namespace
 
-int shell(const Shell_options& options)
+Outcome shell(const Shell_options& options, const std::string& prefix, bool writes_json)
 {
   for(const char* ending : endings)
-    if(is_same_file(options.prefix + ending, options.input)) {
-      complain(options.input, "The results would replace the input: choose another prefix.");
-      return WRONG_USAGE;
-    }
+    if(is_same_file(prefix + ending, options.input))
+      return { WRONG_USAGE, options.input, "The results would replace the input: choose another prefix." };
   Model model;
-  if(!read_input(options.input, model)) return WRONG_INPUT;
-  if(!is_writable(options.prefix + endings[0])) {
-    complain(options.prefix + endings[0], "The file cannot be written.");
-    return CANNOT_WRITE;
-  }
-  constexpr double default_thickness = 0.01;
-  const double unit = longest_side(model);
-  const double thickness = options.thickness ? options.thickness->in_box(unit) : default_thickness * unit;
+  if(const Outcome read = read_input(options.input, model); !read) return read;
+  if(!is_writable(prefix + endings[0]))
+    return { CANNOT_WRITE, prefix + endings[0], message(File_status::CANNOT_WRITE) };
   Progress progress;
-  const BS::Shell_of_soup_3 found = CGAL::certified_shell_of_soup_3(
-    model.soup, BS::parameters::thickness(thickness).time_limit(options.seconds).visitor(std::ref(progress)));
-  progress.clear();
-  if(!found || found.certification() == BS::Certification::NONE) {
-    complain(options.input, found.message(), found.offending_simplices);
-    return found ? NOT_CERTIFIED : WRONG_INPUT;
-  }
+  BS::Shell_of_soup_3 found;
+  const double thickness = thickness_of(options, longest_side(model));
+  if(const Outcome outcome = find_shell(model, options, thickness, options.seconds, progress, found); !outcome)
+    return outcome;
 
   const BS::Soup_shares shares = found.proxy ? BS::sample_soup_shares(found.proxy->map()) : BS::Soup_shares();
   BS::Shell_certificate_3<Shell::Field, Shell::Threshold> certificate(found.shell());
   certificate.verify(found.mesh());
   Contents files;
-  const auto add = [&](const char* ending, std::string text) {
-    files.emplace_back(options.prefix + ending, std::move(text));
-  };
+  const auto add = [&](const char* ending, std::string text) { files.emplace_back(prefix + ending, std::move(text)); };
   add(".shell", text_of([&](std::ostream& out) { BS::write_shell(out, found.shell(), BS::Shell_format::BINARY); }));
   add(".json", text_of([&](std::ostream& out) { BS::write_report(out, found, shares, options.input); }));
   add("_mesh.ply", ply_of(found.mesh()));
@@ -102,7 +86,7 @@ int shell(const Shell_options& options)
     const BS::Level_set_status status = BS::extract_shell_surface<CGAL::Parallel_if_available_tag>(found.shell(),
                                                                                                    threshold, surface);
     if(status == BS::Level_set_status::SUCCESS) add(ending, ply_of(surface));
-    else complain(options.prefix + ending, message(status));
+    else std::cerr << prefix << ending << ": " << message(status) << "\n";
   };
   add_surface("_inner.ply", found.shell().inner_threshold());
   add_surface("_outer.ply", found.shell().outer_threshold());
@@ -112,14 +96,11 @@ int shell(const Shell_options& options)
   add(".mesh.off", text_of([&](std::ostream& out) { out << certificate.examined_mesh(); }));
   add(".certificate.txt", text_of([&](std::ostream& out) { BS::write_certificate(out, found.shell(), certificate); }));
   const std::string failed = write_files(files);
-  if(!failed.empty()) {
-    complain(failed, "The file cannot be written.");
-    return CANNOT_WRITE;
-  }
+  if(!failed.empty()) return { CANNOT_WRITE, failed, message(File_status::CANNOT_WRITE) };
 
   std::vector<std::string> names;
   for(const auto& file : files) names.push_back(file.first);
-  if(options.writes_json) {
+  if(writes_json) {
     Json json;
     json.add("input", options.input)
       .add("certification", name(found.certification()))
@@ -136,7 +117,7 @@ int shell(const Shell_options& options)
             << found.shell().report().cells << " cells\n"
             << "thickness   " << found.shell().thickness() << " (" << 100 * found.shell().relative_thickness()
             << " % of the box)\n"
-            << found.message() << "\nfiles      ";
+            << with_options(found.message()) << "\nfiles      ";
   for(const std::string& name : names) std::cout << " " << name;
   std::cout << std::endl;
   return DONE;

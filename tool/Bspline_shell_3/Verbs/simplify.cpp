@@ -1,201 +1,86 @@
-#include "Exit_code.h"
+#include "Edit_summary.h"
 #include "Input.h"
-#include "Json.h"
-#include "Progress.h"
-#include "Result_files.h"
-#include "Simplified.h"
+#include "Result_model.h"
 #include "number.h"
 #include "verbs.h"
 
 #include "../Carry/carry_attributes.h"
-#include "../Files/write_model.h"
+#include "../Files/File_status.h"
 
-#include <CGAL/Bspline_shell_3/Soup/provenance.h>
-
-#include <CGAL/Real_timer.h>
-
-#include <algorithm>
-#include <cmath>
 #include <iostream>
-#include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace Tool {
 
 namespace {
 
-constexpr double default_thickness = 0.01; // fraction of the longest side of the bounding box
-
-// Simplifies a model, and returns the result and the thickness of its shell. With a tolerance, several
-// thicknesses are tried, and the result with the fewest facets is returned. The distance to a result is about as large
-// as the thickness: thicker shells are tried while much of the tolerance is left, and thinner ones while it is
-// exceeded.
-std::pair<std::unique_ptr<Simplified>, double> simplify_model(const Model& model, const Simplify_options& options,
-                                                              Progress& progress)
-{
-  constexpr int attempts = 4;
-  constexpr double aim = 0.9, slack = 0.75; // fractions of the tolerance
-  const double unit = longest_side(model);
-  const double tolerance = options.tolerance ? options.tolerance->in_box(unit) : 0;
-  CGAL::Real_timer timer;
-  timer.start();
-  Simplify_target target;
-  target.thickness = options.thickness   ? options.thickness->in_box(unit)
-                     : options.tolerance ? tolerance
-                                         : default_thickness * unit;
-  target.facets = options.facets > 0 ? options.facets
-                                     : std::size_t(std::ceil(options.ratio * double(model.soup.polygons.size())));
-  target.rounds_coordinates = model.coordinates == Number_type::FLOAT32;
-  std::pair<std::unique_ptr<Simplified>, double> best;
-  bool is_kept = false; // whether the best result keeps the tolerance
-  for(int attempt = 0; attempt < attempts; ++attempt) {
-    target.seconds = options.seconds - timer.time();
-    if(attempt > 0 && !(target.seconds > 0)) break;
-    auto result = std::make_unique<Simplified>();
-    simplify_model(model, target, progress, *result);
-    progress.clear();
-    const bool is_simplified = result->status == Simplify_status::SUCCESS;
-    if(is_kept && !is_simplified) break;
-    const double distance = result->distances.largest(), thickness = target.thickness;
-    const bool keeps_tolerance = is_simplified && distance <= tolerance;
-    const bool may_continue = is_simplified && options.tolerance && !options.thickness && !result->found.proxy
-                              && distance > 0 && (!keeps_tolerance || result->end == BS::Edit_termination::SHELL);
-    target.thickness *= aim * tolerance / distance;
-    if(!is_kept || (keeps_tolerance && result->facets < best.first->facets)) best = { std::move(result), thickness };
-    const bool was_kept = std::exchange(is_kept, is_kept || keeps_tolerance);
-    if(!may_continue || (keeps_tolerance && distance > slack * tolerance) || (was_kept && !keeps_tolerance)) break;
-  }
-  return best;
-}
-
 // Returns which limit ended the simplification, and which one would allow fewer facets.
-std::string limit_message(const Simplify_options& options, const Simplified& result, double thickness)
+std::string message_of_limit(const Simplified& result)
 {
-  if(result.end == BS::Edit_termination::STOP_PREDICATE)
-    return "The requested number of facets ended the simplification.";
-  if(result.end == BS::Edit_termination::MESH) return message(result.end);
-  if(result.end == BS::Edit_termination::FILTER)
-    return "Seams, borders of labels, or excised triangles ended the simplification; --facets gives up seams and "
-           "borders if necessary.";
-  const bool has_tolerance = options.tolerance && !options.thickness;
-  return has_tolerance ? "The tolerance ended the simplification: a larger --tolerance allows fewer facets."
-                       : "The shell ended the simplification: a larger --thickness than " + number(thickness)
-                           + " allows fewer facets.";
-}
-
-Json changes(const Model& model, const BS::Shell_of_soup_3& found)
-{
-  std::vector<std::size_t> number(std::size_t(BS::Polygon_change::WRAPPED) + 1, 0);
-  for(BS::Polygon_change change : BS::provenance(model.soup, found)) ++number[std::size_t(change)];
-  Json json;
-  for(std::size_t c = 0; c < number.size(); ++c)
-    if(number[c] > 0) json.add(name(BS::Polygon_change(c)), number[c]);
-  return json;
+  switch(result.limit) {
+    case Limit::FACETS: return "The requested number of facets ended the simplification.";
+    case Limit::TOLERANCE: return "The tolerance ended the simplification: a larger --tolerance allows fewer facets.";
+    case Limit::TIME: return "The time limit ended the simplification: a larger --time-limit allows fewer facets.";
+    case Limit::SHELL:
+      return "The shell ended the simplification: a larger --thickness than " + number(result.thickness)
+             + " may allow fewer facets.";
+    case Limit::LINES:
+      return "Seams, borders of labels, or excised triangles ended the simplification; --facets gives up seams and "
+             "borders of labels if this reaches the number.";
+    case Limit::MESH: return "No edge is left that can be collapsed without changing the topology or a border.";
+  }
+  return "";
 }
 
 } // namespace
 
-int simplify(const Simplify_options& options)
+Outcome simplify(const Simplify_options& options, bool writes_json)
 {
+  if(const Outcome output = check_output(options.output, { options.input }); !output) return output;
   Model model;
-  if(!is_supported(options.output)) {
-    complain(options.output, message(File_status::UNSUPPORTED));
-    return WRONG_USAGE;
-  }
-  if(is_same_file(options.input, options.output)) {
-    complain(options.output, "The result would replace the input: choose another name.");
-    return WRONG_USAGE;
-  }
-  if(!read_input(options.input, model)) return WRONG_INPUT;
-  if(!is_writable(options.output)) {
-    complain(options.output, message(File_status::CANNOT_WRITE));
-    return CANNOT_WRITE;
-  }
+  if(const Outcome read = read_input(options.input, model); !read) return read;
+  if(!is_writable(options.output)) return { CANNOT_WRITE, options.output, message(File_status::CANNOT_WRITE) };
 
-  CGAL::Real_timer timer;
-  timer.start();
+  const Time_limit time(options.seconds);
   Progress progress;
-  const auto [result, thickness] = simplify_model(model, options, progress);
-  const BS::Shell_of_soup_3& found = result->found;
-  if(result->status != Simplify_status::SUCCESS) {
-    complain(options.input, result->message, found.offending_simplices);
-    return result->status == Simplify_status::NO_SHELL ? WRONG_INPUT : NOT_CERTIFIED;
-  }
-  if(options.tolerance && result->distances.largest() > options.tolerance->in_box(longest_side(model))) {
-    complain(options.input,
-             "The tolerance is not kept: the distance is at most " + number(result->distances.largest()) + ". "
-               + (found.proxy
-                    ? "The polygons are not a mesh, so that a proxy around them was simplified. " + found.mesh_message()
-                    : "Use a thinner shell (--thickness)."));
-    return NOT_CERTIFIED;
-  }
+  Simplified result;
+  if(const Outcome simplified = simplify_model(model, options, time, progress, result); !simplified) return simplified;
+  const BS::Shell_of_soup_3& found = *result.found;
+  const double tolerance = options.tolerance ? options.tolerance->in_box(longest_side(model)) : 0;
+  if(options.tolerance && result.distances.largest() > tolerance)
+    return { NOT_CERTIFIED, options.input,
+             "The tolerance is not kept: the distance is at most " + number(result.distances.largest()) + ". "
+               + (found.proxy ? "The polygons are not a mesh, so that a proxy around them was simplified. "
+                                  + with_options(found.mesh_message())
+                              : std::string("Use a larger --tolerance.")) };
 
-  Carry_report carried;
-  Model output = carry_attributes(model, found, result->mesh, result->rejoined,
-                                  options.carries_normals ? Normals::CARRIED : Normals::RECOMPUTED, carried,
-                                  [&](double fraction) { progress.show("attributes", fraction); });
+  Edit_summary summary = summary_of(result, options.input, options.output);
+  const Model output = carry_attributes(model, found, result.mesh, result.closing, result.rejoined,
+                                        options.carries_normals ? Normals::CARRIED : Normals::RECOMPUTED,
+                                        summary.carried,
+                                        [&](double fraction) { progress.show("attributes", fraction); });
   progress.clear();
-  const Written_files written = write_model(output, options.output);
-  for(const auto& file : written.files)
-    if(std::any_of(model.files.begin(), model.files.end(),
-                   [&](const std::string& input) { return is_same_file(file.first, input); })) {
-      complain(file.first, "The result would replace a part of the input: choose another name.");
-      return WRONG_USAGE;
-    }
-  const std::string failed = write_files(written.files);
-  if(!failed.empty()) {
-    complain(failed, message(File_status::CANNOT_WRITE));
-    return CANNOT_WRITE;
-  }
-
-  for(const std::string& warning : written.warnings) std::cerr << options.output << ": " << warning << "\n";
-  const std::string limit = limit_message(options, *result, thickness);
-  std::vector<std::string> names;
-  for(const Attribute& a : output.attributes) names.push_back(a.name);
-  if(options.writes_json) {
-    Json json;
-    json.add("input", options.input)
-      .add("output", options.output)
-      .add("certification", name(found.certification()))
-      .add("kind", name(found.kind()))
-      .add("facets_before", result->facets_before)
-      .add("facets", result->facets)
-      .add("distance_to_result", result->distances.to_second)
-      .add("distance_to_input", result->distances.to_first)
-      .add("thickness", thickness)
-      .add("limit", limit)
-      .add("polygons", changes(model, found))
-      .add("attributes", names)
-      .add("warnings", written.warnings)
-      .add("edges_on_lines", result->lines)
-      .add("gave_up_lines", result->gave_up_lines)
-      .add("facets_across_seams", carried.facets_across_seams)
-      .add("points_without_image", carried.points_without_image)
-      .add("seconds", timer.time());
+  if(const Outcome written = write_result(output, options.output, { &model }, {}, summary.warnings); !written)
+    return written;
+  for(const Attribute& a : output.attributes) summary.attributes.push_back(a.name);
+  summary.reaches_target = (options.facets == 0 && options.ratio == 0) || result.limit == Limit::FACETS;
+  summary.removed_border_edges = result.removed_border_edges;
+  summary.limit = message_of_limit(result);
+  summary.seconds = time.seconds();
+  if(writes_json) {
+    Json json = json_of(summary, model, found);
+    json.add("edges_on_lines", result.lines).add("keeps_lines", result.keeps_lines);
     std::cout << json.text() << std::endl;
     return DONE;
   }
-  std::cout << "facets      " << result->facets << " of " << result->facets_before << "\n"
-            << "distance    at most " << number(result->distances.largest()) << " between any point of one surface and "
-            << "the other (" << number(100 * result->distances.largest() / longest_side(model)) << " % of the box)\n"
-            << "map         one-to-one" << (found.proxy ? " from the proxy" : "") << ", " << name(found.certification())
-            << "; " << name(found.kind()) << "\n";
-  if(found.excised) std::cout << "excised     " << found.excision_message() << "\n";
-  if(found.proxy) std::cout << "proxy       " << found.mesh_message() << "\n";
-  if(!names.empty()) {
-    std::cout << "attributes ";
-    for(const std::string& name : names) std::cout << " " << name;
-    std::cout << "\n";
-  }
-  if(carried.facets_across_seams > 0)
-    std::cout << "seams       " << carried.facets_across_seams << " facets lie across a seam\n";
-  if(carried.points_without_image > 0)
-    std::cout << "            " << carried.points_without_image << " points have the values of the nearest points\n";
-  if(result->gave_up_lines)
-    std::cout << "lines       were not kept, because the requested number of facets needs them\n";
-  if(model.coordinates == Number_type::FLOAT32 && !result->is_rounded)
-    std::cout << "coordinates are of type double, because rounding to float would invalidate the proof\n";
-  std::cout << "limit       " << limit << std::endl;
+  std::vector<std::pair<std::string, std::string> > lines;
+  if(!result.keeps_lines)
+    lines.emplace_back("lines", "were not kept, because the requested number of facets needs them");
+  if(result.removed_border_edges > 0)
+    lines.emplace_back("border", "has " + std::to_string(result.removed_border_edges) + " edges fewer");
+  print(summary, model, found, lines);
   return DONE;
 }
 

@@ -1,4 +1,3 @@
-#include "transfer.h"
 #include "Input.h"
 #include "Json.h"
 #include "Progress.h"
@@ -6,21 +5,24 @@
 #include "Transfer_map.h"
 #include "distance_bound.h"
 #include "number.h"
+#include "verbs.h"
 
 #include "../Bake/Color_source.h"
 #include "../Bake/Normal_source.h"
 #include "../Bake/Texel_map.h"
 #include "../Bake/bake.h"
 #include "../Carry/corner_mixes.h"
+#include "../Carry/texture_comments.h"
 #include "../Carry/transfer_attributes.h"
 #include "../Files/read_model.h"
 
-#include <CGAL/Real_timer.h>
-
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iostream>
+#include <limits>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -44,7 +46,7 @@ std::vector<std::string> images_of(const Transfer_options& options)
 // Returns whether the names of files can be used, before anything is read.
 Outcome check_names(const Transfer_options& options)
 {
-  const std::vector<std::string> inputs = { options.from, options.to }, images = images_of(options);
+  const std::vector<std::string> inputs = { options.input, options.to }, images = images_of(options);
   if(const Outcome output = check_output(options.output, inputs); !output) return output;
   for(std::size_t n = 0; n < images.size(); ++n) {
     if(extension_of(images[n]) != ".png")
@@ -63,13 +65,19 @@ const Attribute* texture_of(const Model& model)
   return corners != nullptr ? corners : model.find(texture_name, Element::POINT);
 }
 
-// Makes an image the texture of all polygons of a model.
-void set_texture(Model& model, const std::string& image)
+// Makes an image the texture of all polygons of a model that is written to a file.
+void set_texture(Model& model, const std::string& image, const std::string& output)
 {
   const std::filesystem::path path(image);
-  const std::string file = path.filename().string(), baked = "baked";
+  if(extension_of(output) == ".ply") {
+    const auto absolute = [](const std::filesystem::path& file) { return std::filesystem::absolute(file); };
+    const auto relative = absolute(path).lexically_relative(absolute(output).parent_path());
+    set_texture_comments(model, { texture_comment + relative.string() });
+    return;
+  }
+  const std::string baked = "baked";
   model.folder = path.parent_path().string();
-  model.materials = "newmtl " + baked + "\nKd 1 1 1\nmap_Kd " + file + "\n";
+  model.materials = "newmtl " + baked + "\nKd 1 1 1\nmap_Kd " + path.filename().string() + "\n";
   auto& attributes = model.attributes;
   attributes.erase(
     std::remove_if(attributes.begin(), attributes.end(), [](const Attribute& a) { return a.name == material_name; }),
@@ -122,7 +130,7 @@ void bake_images(const Transfer_options& options, const Model& from, const Model
 std::string map_message(const Transfer_map& map)
 {
   const BS::Shell_of_soup_3& found = map.found;
-  if(found.certification() == BS::Certification::NONE) return "none: " + with_options(found.message());
+  if(found.certification() == BS::Certification::NONE) return "none: " + map.failure.message;
   const Mapped_parts& parts = map.parts;
   const std::string onto = found.proxy     ? " to the proxy, from which it continues to the visible polygons"
                            : found.excised ? " except for excised triangles"
@@ -173,41 +181,42 @@ Outcome transfer(const Transfer_options& options, bool writes_json)
 {
   if(const Outcome names = check_names(options); !names) return names;
   Model from, to;
-  if(!read_input(options.from, from) || !read_input(options.to, to)) return WRONG_INPUT;
+  if(const Outcome read = read_input(options.input, from); !read) return read;
+  if(const Outcome read = read_input(options.to, to); !read) return read;
   std::vector<std::string> outputs = images_of(options);
   outputs.push_back(options.output);
   for(const std::string& file : outputs)
     if(!is_writable(file)) return { CANNOT_WRITE, file, message(File_status::CANNOT_WRITE) };
 
-  CGAL::Real_timer timer;
-  timer.start();
+  const Time_limit time(options.seconds);
   Baked baked;
   const Color_source colors(from, baked.warnings);
   if(bakes(options) && texture_of(to) == nullptr)
     return { WRONG_INPUT, options.to, "The mesh has no texture coordinates: unwrap it before colors are baked." };
   if(!options.image.empty() && !colors)
-    return { WRONG_INPUT, options.from, "The mesh has no texture and no colors to bake." };
+    return { WRONG_INPUT, options.input, "The mesh has no texture and no colors to bake." };
 
   Progress progress;
   double distance = 0;
   {
     const Triangulated_model source(from), target(to);
-    for(const auto& side : { std::make_pair(&options.from, &source), std::make_pair(&options.to, &target) })
+    for(const auto& side : { std::make_pair(&options.input, &source), std::make_pair(&options.to, &target) })
       if(side.second->mesh().number_of_faces() == 0) return { WRONG_INPUT, *side.first, "No polygon has an area." };
     constexpr double resolution = 1e-4; // relative to the longest side of the bounding box
     progress.show("distances", 0);
-    distance = distance_bounds(target.mesh(), source.mesh(), resolution * longest_side(from)).to_second;
+    distance = distance_bounds(target.mesh(), source.mesh(), resolution * longest_side(from),
+                               std::numeric_limits<double>::infinity())
+                 .to_second;
   }
   const double unit = longest_side(from);
-  const std::unique_ptr<const Transfer_map> map = transfer_map(
-    from, to, options.thickness ? options.thickness->in_box(unit) : 0, distance, options.seconds, progress);
+  const std::unique_ptr<const Transfer_map> map = transfer_map(from, to, options, distance, time, progress);
   Attribute_transfer transferred;
   Model output = transfer_attributes(from, to, map->mesh, *map->map, map->parts,
                                      { options.includes_normals, !bakes(options) }, transferred,
                                      [&](double fraction) { progress.show("attributes", fraction); });
   progress.clear();
   if(bakes(options)) bake_images(options, from, to, *map, colors, progress, baked);
-  if(!options.image.empty()) set_texture(output, options.image);
+  if(!options.image.empty()) set_texture(output, options.image, options.output);
 
   Contents images;
   for(const auto& image : baked.images) images.emplace_back(image.first, png_of(image.second));
@@ -218,7 +227,7 @@ Outcome transfer(const Transfer_options& options, bool writes_json)
   if(writes_json) {
     const bool has_shell = map->found.certification() != BS::Certification::NONE;
     Json json;
-    json.add("from", options.from)
+    json.add("from", options.input)
       .add("to", options.to)
       .add("output", options.output)
       .add("certification", name(map->found.certification()))
@@ -237,7 +246,7 @@ Outcome transfer(const Transfer_options& options, bool writes_json)
       .add("covered_texels", baked.map.texels.size())
       .add("overlapping_texels", baked.map.overlapping)
       .add("warnings", warnings)
-      .add("seconds", timer.time());
+      .add("seconds", time.seconds());
     std::cout << json.text() << std::endl;
   } else print(options, *map, distance, unit, transferred, baked);
   return parts.share(Mapped::ONE_TO_ONE) > 0 ? DONE : NOT_CERTIFIED;

@@ -1,50 +1,47 @@
-// The verbs of the program. Each function returns an exit code.
+// The verbs of the program. They print their results.
 #ifndef TOOL_VERBS_VERBS_H
 #define TOOL_VERBS_VERBS_H
 
-#include "Length.h"
+#include "Outcome.h"
+#include "find_shell.h"
+#include "simplify_model.h"
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 
 namespace Tool {
 
-struct Simplify_options
+struct Simplify_options : Edit_options
 {
-  std::string input, output;
-  std::optional<Length> tolerance, thickness;
-  std::size_t facets = 0; // 0 if there is no target
-  double ratio = 0;       // 0 if there is no target
-  double seconds = std::numeric_limits<double>::infinity();
-  bool carries_normals = false, writes_json = false;
+  std::string output;
+  bool carries_normals = false;
 };
-int simplify(const Simplify_options& options);
+Outcome simplify(const Simplify_options& options, bool writes_json);
 
-struct Shell_options
+struct Remesh_options : Shell_options
 {
-  std::string input, prefix;
-  std::optional<Length> thickness;
-  double seconds = std::numeric_limits<double>::infinity();
-  bool writes_json = false;
+  std::string output;
+  std::optional<Length> edge; // always given
+  double feature = 60;        // in degrees; edges with a larger angle between the normals of their facets are kept
+  bool carries_normals = false;
 };
-int shell(const Shell_options& options);
+Outcome remesh(const Remesh_options& options, bool writes_json);
 
-struct Check_options
+// The input and the shell are those of the mesh with attributes.
+struct Transfer_options : Shell_options
 {
-  std::string input;
-  std::optional<Length> thickness;
-  bool writes_json = false;
+  std::string to, output;
+  bool includes_normals = false;
+  std::string image, normal_image; // files to bake; empty if there is none
+  std::size_t size = 1024;         // number of texels along each side
+  std::size_t margin = 8;          // in texels
 };
-int check(const Check_options& options);
+Outcome transfer(const Transfer_options& options, bool writes_json);
 
-struct Certify_options
-{
-  std::string shell, mesh;
-  bool writes_json = false;
-};
-int certify(const Certify_options& options);
+Outcome shell(const Shell_options& options, const std::string& prefix, bool writes_json);
+Outcome check(const Shell_options& options, bool writes_json);
+Outcome certify(const std::string& shell, const std::string& mesh, bool writes_json);
 
 } // namespace Tool
 

@@ -52,7 +52,8 @@ inline std::string message(const Weld_report& report)
         << report.border_edges_after << " are left.";
   } else if(report.is_too_coarse && report.border_edges_before > 0) {
     out << "Coordinates that are rounded to " << report.unit
-        << " are too coarse to close cracks: subtract an offset before they are rounded, or set weld_tolerance.";
+        << " are too coarse to close cracks: subtract an offset before they are rounded, or choose a tolerance "
+           "(weld_tolerance).";
   }
   return out.str();
 }
