@@ -103,9 +103,10 @@ CLI::Validator positive(double largest = std::numeric_limits<double>::infinity()
     "");
 }
 
-void add_shell(CLI::App& verb, Tool::Shell_options& shell, const std::string& thickness)
+void add_shell(CLI::App& verb, Tool::Shell_options& shell, const std::string& thickness, const std::string& name = "IN",
+               const std::string& mesh = "The mesh")
 {
-  verb.add_option("IN", shell.input, "The mesh")->required();
+  verb.add_option(name, shell.input, mesh)->required();
   add_length(verb, "--thickness", shell.thickness, "Thickness of the shell (default: " + thickness + ")");
   add_length(verb, "--weld", shell.weld,
              "Distance of points that are welded if this closes cracks (default: a few units in the last digit)");
@@ -163,6 +164,48 @@ int main(int argc, char** argv)
              "  bspline_shell simplify part.stl -o part.ply --facets 10000\n"
              "  bspline_shell simplify terrain.ply -o coarse.ply --tolerance 2 --border 2\n");
   verb->callback([&] { outcome = Tool::simplify(simplify, writes_json); });
+
+  Tool::Remesh_options remesh;
+  verb = program.add_subcommand("remesh",
+                                "Remesh a mesh to edges of about one length, and keep its attributes." + lengths);
+  add_shell(*verb, remesh, "1%");
+  verb->add_option("-o,--output", remesh.output, "The result; its extension selects the format")->required();
+  add_length(*verb, "--edge", remesh.edge, "Length of edges");
+  verb->get_option("--edge")->required();
+  verb
+    ->add_option("--features", remesh.feature,
+                 "Keep edges with a larger angle between the normals of their facets, in degrees")
+    ->type_name("ANGLE")
+    ->check(CLI::Range(0., 180.))
+    ->capture_default_str();
+  verb->add_flag("--keep-normals", remesh.carries_normals, "Interpolate normals instead of recomputing them");
+  add_time_limit(*verb, remesh.seconds);
+  add_common(*verb, writes_json, "  bspline_shell remesh part.ply -o even.ply --edge 1% --features 40\n");
+  verb->callback([&] { outcome = Tool::remesh(remesh, writes_json); });
+
+  Tool::Transfer_options transfer;
+  verb = program.add_subcommand("transfer", "Transfer the attributes of one mesh to another." + lengths);
+  add_shell(*verb, transfer, "as required by the distance of TO", "FROM", "The mesh with attributes");
+  verb->add_option("TO", transfer.to, "The mesh that gets them; its points and polygons are kept")->required();
+  verb->add_option("-o,--output", transfer.output, "The result; its extension selects the format")->required();
+  verb->add_flag("--normals", transfer.includes_normals, "Transfer normals as well");
+  verb->add_option("--bake", transfer.image, "Bake colors of FROM into this PNG file, over texture coordinates of TO")
+    ->type_name("IMAGE");
+  verb->add_option("--bake-normals", transfer.normal_image, "Bake normals of FROM, in its coordinates")
+    ->type_name("IMAGE");
+  verb->add_option("--size", transfer.size, "Number of texels along each side of the image")
+    ->type_name("PIXELS")
+    ->check(CLI::Range(1, 16384))
+    ->capture_default_str();
+  verb->add_option("--margin", transfer.margin, "Number of texels that are filled around charts")
+    ->type_name("PIXELS")
+    ->check(CLI::Range(0, 1024))
+    ->capture_default_str();
+  add_time_limit(*verb, transfer.seconds);
+  add_common(*verb, writes_json,
+             "  bspline_shell transfer scan.obj retopology.obj -o result.obj\n"
+             "  bspline_shell transfer scan.ply unwrapped.obj -o result.obj --bake colors.png --size 2048\n");
+  verb->callback([&] { outcome = Tool::transfer(transfer, writes_json); });
 
   Tool::Shell_options shell;
   std::string prefix;

@@ -87,9 +87,7 @@ public:
     return places;
   }
 
-private:
-  static Place at_corner(Mesh::Halfedge_index h, std::size_t group) { return { { h, h, h }, { 1, 0, 0 }, group }; }
-
+  // Returns the place that is nearest to a point.
   Place nearest(const Mesh::Point& p) const
   {
     const auto& source = m_map.to_source().target();
@@ -98,6 +96,9 @@ private:
     const auto h = mesh.halfedge(source.face_of(closest.first)); // leads to the second corner
     return { { mesh.prev(h), h, mesh.next(h) }, closest.second };
   }
+
+private:
+  static Place at_corner(Mesh::Halfedge_index h, std::size_t group) { return { { h, h, h }, { 1, 0, 0 }, group }; }
 
   // Replaces a place by a corner of the source at exactly this point.
   void snap(Place& place, const Mesh::Point& p) const

@@ -1,7 +1,6 @@
 #include "Result_builder.h"
 #include "corner_normals.h"
-
-#include "../Files/numbers.h"
+#include "finished_value.h"
 
 #include <CGAL/number_utils.h>
 
@@ -45,13 +44,6 @@ double side(const std::vector<std::vector<double> >& carried, const std::vector<
   return sum < 0 ? -1 : 1;
 }
 
-// Rounds a value as the file does. Colors that were extrapolated are brought back into their range.
-double finished(const Attribute& a, double x)
-{
-  if(a.kind == Kind::COLOR && !std::isnan(x)) x = (std::min)((std::max)(x, 0.), is_real(a.type) ? 1. : 255.);
-  return is_real(a.type) ? x : rounded_to(a.type, x);
-}
-
 } // namespace
 
 Model build_result(const Model& source, const Model::Points& points, const std::vector<Result_triangle>& triangles,
@@ -73,7 +65,7 @@ Model build_result(const Model& source, const Model::Points& points, const std::
     for(const Result_triangle& t : triangles)
       for(const Result_triangle::Corner& corner : t.corners) {
         values[k].push_back(mixer(a, is_split ? corner.split : corner.smooth));
-        for(double& x : values[k].back()) x = finished(a, x);
+        for(double& x : values[k].back()) x = finished_value(a, x);
       }
     if(a.kind != Kind::NORMAL || a.dimension() != 3) continue;
     const std::vector<Vector> computed = corner_normals(result.soup, crease_angle(source, a, mixer));

@@ -1,21 +1,18 @@
 #include "Simplified.h"
 #include "Outcome.h"
+#include "finish_edit.h"
 
 #include "../Carry/Corner_groups.h"
 
-#include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <utility>
 
 namespace Tool {
 
 namespace {
-
-typedef BS::Shell_certificate_3<Shell::Field, Shell::Threshold> Certificate;
 
 // Marks the lines of a mesh, and returns their number of edges.
 std::size_t mark_lines(const Model& model, Mesh& mesh, Edge_marks marks)
@@ -67,20 +64,6 @@ BS::Simplification_result<Mesh> simplify_mesh(Mesh& mesh, Edge_marks lines, bool
   return simplify(BS::Facet_count_stop_predicate(facets));
 }
 
-// Rounds coordinates to floats if the mesh remains certified, and returns whether it does.
-bool round_coordinates(const BS::Shell_of_soup_3& found, Simplified& result)
-{
-  Mesh rounded = result.mesh;
-  for(auto v : rounded.vertices()) {
-    const auto& p = result.mesh.point(v);
-    rounded.point(v) = Mesh::Point(float(p.x()), float(p.y()), float(p.z()));
-  }
-  Certificate certificate(found.shell());
-  if(!certificate.verify(rounded, BS::parameters::closing(result.closing))) return false;
-  result.mesh = std::move(rounded);
-  return true;
-}
-
 Limit limit_of(BS::Edit_termination end, bool is_late)
 {
   switch(end) {
@@ -121,7 +104,7 @@ Simplified simplify_in_shell(const Model& model, const std::shared_ptr<const BS:
   result.closing = simplified.closing;
   result.removed_border_edges = simplified.removed_border_edges;
   result.mesh.collect_garbage();
-  result.is_rounded = target.rounds_coordinates && round_coordinates(*found, result);
+  result.is_rounded = target.rounds_coordinates && round_coordinates(result.mesh, found->shell(), result.closing);
   if(found->excised) {
     result.rejoined = BS::rejoin_excised(*found->excised, result.mesh);
     if(!result.rejoined) {
@@ -134,11 +117,7 @@ Simplified simplify_in_shell(const Model& model, const std::shared_ptr<const BS:
   progress.show("distances", 0);
   constexpr double resolution = 0.01; // relative to the thickness and the tolerance
   const double finest = resolution * (std::min)(found->shell().thickness(), target.surface_tolerance);
-  const double welded = found->weld.is_none() ? 0 : found->weld.tolerance;
-  result.distances = distance_bounds(found->proxy ? found->proxy->soup().mesh() : found->mesh(), result.mesh, finest,
-                                     (std::max)(target.surface_tolerance - welded, finest));
-  result.distances.to_first += welded;
-  result.distances.to_second += welded;
+  result.distances = distances_of_edit(*found, result.mesh, finest, target.surface_tolerance);
   progress.clear();
   return result;
 }

@@ -1,7 +1,6 @@
 #include "simplify_model.h"
 #include "Input.h"
-
-#include "../Files/write_model.h"
+#include "Result_model.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +43,7 @@ public:
   {
     m_target.facets = options.facets > 0 ? options.facets
                                          : std::size_t(std::ceil(options.ratio * double(triangles(model))));
-    m_target.rounds_coordinates = model.coordinates == Number_type::FLOAT32 || has_single_precision(options.output);
+    m_target.rounds_coordinates = rounds_coordinates(model, options.output);
     if(options.border) m_target.border_tolerance = options.border->in_box(m_side);
     if(options.tolerance) m_target.surface_tolerance = options.tolerance->in_box(m_side);
   }

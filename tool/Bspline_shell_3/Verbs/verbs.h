@@ -6,6 +6,8 @@
 #include "find_shell.h"
 #include "simplify_model.h"
 
+#include <cstddef>
+#include <optional>
 #include <string>
 
 namespace Tool {
@@ -15,6 +17,27 @@ struct Simplify_options : Edit_options
   bool carries_normals = false;
 };
 Outcome simplify(const Simplify_options& options, bool writes_json);
+
+struct Remesh_options : Shell_options
+{
+  std::string output;
+  std::optional<Length> edge; // always given
+  double feature = 60;        // in degrees; edges with a larger angle between the normals of their facets are kept
+  bool carries_normals = false;
+};
+Outcome remesh(const Remesh_options& options, bool writes_json);
+
+// The input and the shell are those of the mesh with attributes.
+struct Transfer_options : Shell_options
+{
+  std::string to, output;
+  bool includes_normals = false;
+  std::string image, normal_image; // files to bake; empty if there is none
+  std::size_t size = 1024;         // number of texels along each side
+  std::size_t margin = 8;          // in texels
+};
+Outcome transfer(const Transfer_options& options, bool writes_json);
+
 Outcome shell(const Shell_options& options, const std::string& prefix, bool writes_json);
 Outcome check(const Shell_options& options, bool writes_json);
 Outcome certify(const std::string& shell, const std::string& mesh, bool writes_json);

@@ -1,0 +1,83 @@
+#include "Edit_summary.h"
+#include "Input.h"
+#include "Remeshed.h"
+#include "Result_model.h"
+#include "number.h"
+#include "verbs.h"
+
+#include "../Files/File_status.h"
+
+#include <iostream>
+#include <string>
+
+namespace Tool {
+
+namespace {
+
+// Returns why some edges may have other lengths.
+std::string message_of_end(const Remeshed& result)
+{
+  switch(result.end) {
+    case BS::Edit_termination::TARGET: return "All edges have about the requested length.";
+    case BS::Edit_termination::SHELL:
+      return "The shell prevents further changes: a larger --thickness than " + number(result.thickness)
+             + " may bring more edges to the requested length.";
+    case BS::Edit_termination::VISITOR:
+      return "The time limit ended the remeshing: a larger --time-limit may bring more edges to the requested length.";
+    case BS::Edit_termination::ITERATIONS: return "All iterations were done.";
+    default: return "Borders, features, seams, and the topology prevent further changes.";
+  }
+}
+
+} // namespace
+
+Outcome remesh(const Remesh_options& options, bool writes_json)
+{
+  if(const Outcome output = check_output(options.output, { options.input }); !output) return output;
+  Model model;
+  if(const Outcome read = read_input(options.input, model); !read) return read;
+  if(!is_writable(options.output)) return { CANNOT_WRITE, options.output, message(File_status::CANNOT_WRITE) };
+
+  const Time_limit time(options.seconds);
+  Progress progress;
+  const double unit = longest_side(model);
+  const Remesh_target target{ thickness_of(options, unit), options.edge->in_box(unit), options.feature,
+                              rounds_coordinates(model, options.output) };
+  BS::Shell_of_soup_3 found;
+  if(const Outcome shell = find_shell(model, options, target.thickness, time.left(), progress, found); !shell)
+    return shell;
+  const Remeshed result = remesh_in_shell(model, found, target, time, progress);
+  if(!result) return { NOT_CERTIFIED, options.input, result.message };
+  Edit_summary summary = summary_of(result, options.input, options.output);
+  const Model output = carry_attributes(model, found, result.mesh, result.closing, result.rejoined,
+                                        options.carries_normals ? Normals::CARRIED : Normals::RECOMPUTED,
+                                        summary.carried,
+                                        [&](double fraction) { progress.show("attributes", fraction); });
+  progress.clear();
+  if(const Outcome written = write_result(output, options.output, { &model }, {}, summary.attributes, summary.warnings);
+     !written)
+    return written;
+  summary.limit = message_of_end(result);
+  summary.seconds = time.seconds();
+  if(writes_json) {
+    Json json = json_of(summary, model, found);
+    json.add("edge", target.edge)
+      .add("mean_edge", result.mean_edge)
+      .add("share_near_edge", result.share_near_target)
+      .add("edges_on_features", result.features)
+      .add("edges_on_lines", result.lines)
+      .add("protects_lines", result.protects_lines);
+    std::cout << json.text() << std::endl;
+    return DONE;
+  }
+  print(summary, model, found,
+        { { "edges", percent(result.share_near_target) + " from 4/5 to 4/3 of " + number(target.edge) + "; mean length "
+                       + number(result.mean_edge) },
+          { "lines",
+            std::to_string(result.features) + " edges on features, " + std::to_string(result.lines)
+              + " on seams and borders of labels"
+              + (result.protects_lines ? ": not split or collapsed, because excised triangles touch edges" : "") } });
+  return DONE;
+}
+
+} // namespace Tool

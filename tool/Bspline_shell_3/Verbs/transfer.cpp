@@ -1,0 +1,261 @@
+#include "Input.h"
+#include "Json.h"
+#include "Progress.h"
+#include "Result_model.h"
+#include "Transfer_map.h"
+#include "distance_bound.h"
+#include "number.h"
+#include "verbs.h"
+
+#include "../Bake/Color_source.h"
+#include "../Bake/Normal_source.h"
+#include "../Bake/Texel_map.h"
+#include "../Bake/bake.h"
+#include "../Carry/corner_mixes.h"
+#include "../Carry/texture_comments.h"
+#include "../Carry/transfer_attributes.h"
+#include "../Files/read_model.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Tool {
+
+namespace {
+
+bool bakes(const Transfer_options& options)
+{
+  return !options.image.empty() || !options.normal_image.empty();
+}
+
+std::vector<std::string> images_of(const Transfer_options& options)
+{
+  std::vector<std::string> images;
+  for(const std::string& image : { options.image, options.normal_image })
+    if(!image.empty()) images.push_back(image);
+  return images;
+}
+
+// Returns whether the names of files can be used, before anything is read.
+Outcome check_names(const Transfer_options& options)
+{
+  const std::vector<std::string> inputs = { options.input, options.to }, images = images_of(options);
+  if(const Outcome output = check_output(options.output, inputs); !output) return output;
+  for(std::size_t n = 0; n < images.size(); ++n) {
+    if(extension_of(images[n]) != ".png")
+      return { WRONG_USAGE, images[n], "Images are PNG files: use the extension .png." };
+    if(n > 0 && images[n] == images[0]) return { WRONG_USAGE, images[n], "Both images have the same name." };
+    for(const std::string& input : inputs)
+      if(is_same_file(images[n], input))
+        return { WRONG_USAGE, images[n], "The result would replace the input: choose another name." };
+  }
+  return DONE;
+}
+
+const Attribute* texture_of(const Model& model)
+{
+  const Attribute* const corners = model.find(texture_name, Element::CORNER);
+  return corners != nullptr ? corners : model.find(texture_name, Element::POINT);
+}
+
+// Makes an image the texture of all polygons of a model that is written to a file.
+void set_texture(Model& model, const std::string& image, const std::string& output)
+{
+  const std::filesystem::path path(image);
+  if(extension_of(output) == ".ply") {
+    const auto absolute = [](const std::filesystem::path& file) { return std::filesystem::absolute(file); };
+    const auto relative = absolute(path).lexically_relative(absolute(output).parent_path());
+    set_texture_comments(model, { texture_comment + relative.string() });
+    return;
+  }
+  const std::string baked = "baked";
+  model.folder = path.parent_path().string();
+  model.materials = "newmtl " + baked + "\nKd 1 1 1\nmap_Kd " + path.filename().string() + "\n";
+  auto& attributes = model.attributes;
+  attributes.erase(
+    std::remove_if(attributes.begin(), attributes.end(), [](const Attribute& a) { return a.name == material_name; }),
+    attributes.end());
+  attributes.push_back({ material_name,
+                         Element::POLYGON,
+                         Kind::LABEL,
+                         Number_type::INT32,
+                         { material_name },
+                         std::vector<double>(model.soup.polygons.size(), 1),
+                         { "", baked } });
+}
+
+struct Baked
+{
+  Texel_map map;
+  std::vector<std::pair<std::string, Image> > images; // files and their contents
+  std::vector<std::string> warnings;
+};
+
+void bake_images(const Transfer_options& options, const Model& from, const Model& to, const Transfer_map& map,
+                 const Color_source& colors, Progress& progress, Baked& baked)
+{
+  baked.map = map_texels(to, map.mesh, *texture_of(to), options.size);
+  if(baked.map.overlapping > 0)
+    baked.warnings.push_back(
+      std::to_string(baked.map.overlapping) + " texels belong to several polygons, for example to polygons "
+      + std::to_string(baked.map.overlapping_polygons[0]) + " and " + std::to_string(baked.map.overlapping_polygons[1])
+      + ": their texture coordinates overlap, and the first polygon is baked.");
+  if(baked.map.outside > 0)
+    baked.warnings.push_back(std::to_string(baked.map.outside)
+                             + " triangles have no texture coordinates, or some that are not between 0 and 1: they are "
+                               "not baked there.");
+  const auto add = [&](const std::string& file, const std::function<Color(const Source_point&)>& color) {
+    const auto show = [&](double fraction) { progress.show("image", fraction); };
+    if(!file.empty())
+      baked.images.emplace_back(file, bake(*map.map, baked.map.texels, options.size, options.margin, color, show));
+  };
+  const Mesh_origins& origins = map.map->origins();
+  const auto mix = [&](const Source_point& p) { return mix_of(p.corners, p.weights, origins); };
+  add(options.image, [&](const Source_point& p) { return colors(origins.polygon_of(p.facet), mix(p)); });
+  if(!options.normal_image.empty()) {
+    const Normal_source normals(from, *map.map);
+    add(options.normal_image, [&](const Source_point& p) { return normals(p, mix(p)); });
+  }
+  progress.clear();
+}
+
+// Returns which part of the map is proved.
+std::string map_message(const Transfer_map& map)
+{
+  const BS::Shell_of_soup_3& found = map.found;
+  if(found.certification() == BS::Certification::NONE) return "none: " + map.failure.message;
+  const Mapped_parts& parts = map.parts;
+  const std::string onto = found.proxy     ? " to the proxy, from which it continues to the visible polygons"
+                           : found.excised ? " except for excised triangles"
+                                           : "";
+  if(parts.is_one_to_one()) return "one-to-one" + onto + ": proved for the whole mesh";
+  const double share = parts.share(Mapped::ONE_TO_ONE);
+  return (share > 0
+            ? percent(share) + " of the area one-to-one" + onto
+                + (parts.is_certified ? ": proved as a whole; " : ": each facet is proved to face along the curves; ")
+            : "nothing is one-to-one; ")
+         + percent(parts.share(Mapped::CONTINUED)) + " continued without a proof; "
+         + percent(parts.share(Mapped::NEAREST)) + " outside of the shell, with values of the nearest points";
+}
+
+void print_list(const std::string& title, const std::vector<std::string>& list)
+{
+  if(list.empty()) return;
+  std::cout << title;
+  for(const std::string& item : list) std::cout << " " << item;
+  std::cout << "\n";
+}
+
+void print(const Transfer_options& options, const Transfer_map& map, double distance, double unit,
+           const Attribute_transfer& transferred, const Baked& baked)
+{
+  std::cout << "map         " << map_message(map) << "\n";
+  if(!map.parts.is_one_to_one())
+    std::cout << "            marked by the property \"" << mapped_name
+              << "\" of points: 0 one-to-one, 1 continued, 2 nearest\n";
+  std::cout << "distance    no point is farther than " << number(distance) << " from the first mesh ("
+            << percent(distance / unit) << " of its box)\n";
+  if(map.found.certification() != BS::Certification::NONE)
+    std::cout << "shell       thickness " << number(map.thickness) << " (" << percent(map.thickness / unit)
+              << " of the box); " << name(map.found.certification()) << "; " << name(map.found.kind()) << "\n";
+  print_list("attributes ", transferred.transferred);
+  print_list("replaced   ", transferred.replaced);
+  if(transferred.facets_across_seams > 0)
+    std::cout << "seams       " << transferred.facets_across_seams << " facets lie across a seam\n";
+  for(const auto& image : baked.images)
+    std::cout << "image       " << image.first << ": " << options.size << " x " << options.size << " texels, "
+              << percent(double(baked.map.texels.size()) / double(options.size * options.size)) << " covered\n";
+  std::cout << std::flush;
+}
+
+} // namespace
+
+Outcome transfer(const Transfer_options& options, bool writes_json)
+{
+  if(const Outcome names = check_names(options); !names) return names;
+  Model from, to;
+  if(const Outcome read = read_input(options.input, from); !read) return read;
+  if(const Outcome read = read_input(options.to, to); !read) return read;
+  std::vector<std::string> outputs = images_of(options);
+  outputs.push_back(options.output);
+  for(const std::string& file : outputs)
+    if(!is_writable(file)) return { CANNOT_WRITE, file, message(File_status::CANNOT_WRITE) };
+
+  const Time_limit time(options.seconds);
+  Baked baked;
+  const Color_source colors(from, baked.warnings);
+  if(bakes(options) && texture_of(to) == nullptr)
+    return { WRONG_INPUT, options.to, "The mesh has no texture coordinates: unwrap it before colors are baked." };
+  if(!options.image.empty() && !colors)
+    return { WRONG_INPUT, options.input, "The mesh has no texture and no colors to bake." };
+
+  Progress progress;
+  double distance = 0;
+  {
+    const Triangulated_model source(from), target(to);
+    for(const auto& side : { std::make_pair(&options.input, &source), std::make_pair(&options.to, &target) })
+      if(side.second->mesh().number_of_faces() == 0) return { WRONG_INPUT, *side.first, "No polygon has an area." };
+    constexpr double resolution = 1e-4; // relative to the longest side of the bounding box
+    progress.show("distances", 0);
+    distance = distance_bounds(target.mesh(), source.mesh(), resolution * longest_side(from),
+                               std::numeric_limits<double>::infinity())
+                 .to_second;
+  }
+  const double unit = longest_side(from);
+  const std::unique_ptr<const Transfer_map> map = transfer_map(from, to, options, distance, time, progress);
+  Attribute_transfer transferred;
+  Model output = transfer_attributes(from, to, map->mesh, *map->map, map->parts,
+                                     { options.includes_normals, !bakes(options) }, transferred,
+                                     [&](double fraction) { progress.show("attributes", fraction); });
+  progress.clear();
+  if(bakes(options)) bake_images(options, from, to, *map, colors, progress, baked);
+  if(!options.image.empty()) set_texture(output, options.image, options.output);
+
+  Contents images;
+  for(const auto& image : baked.images) images.emplace_back(image.first, png_of(image.second));
+  std::vector<std::string> written_attributes, warnings = baked.warnings;
+  if(const Outcome written = write_result(output, options.output, { &from, &to }, images, written_attributes, warnings);
+     !written)
+    return written;
+  auto& names = transferred.transferred;
+  const auto is_missing = [&](const std::string& name) {
+    return std::find(written_attributes.begin(), written_attributes.end(), name) == written_attributes.end();
+  };
+  names.erase(std::remove_if(names.begin(), names.end(), is_missing), names.end());
+  const Mapped_parts& parts = map->parts;
+  if(writes_json) {
+    const bool has_shell = map->found.certification() != BS::Certification::NONE;
+    Json json;
+    json.add("from", options.input)
+      .add("to", options.to)
+      .add("output", options.output)
+      .add("certification", name(map->found.certification()))
+      .add("kind", has_shell ? name(map->found.kind()) : "none")
+      .add("map", map_message(*map))
+      .add("is_one_to_one", parts.is_one_to_one())
+      .add("one_to_one_area", parts.share(Mapped::ONE_TO_ONE))
+      .add("continued_area", parts.share(Mapped::CONTINUED))
+      .add("nearest_area", parts.share(Mapped::NEAREST))
+      .add("distance", distance)
+      .add("thickness", map->thickness)
+      .add("attributes", transferred.transferred)
+      .add("replaced", transferred.replaced)
+      .add("facets_across_seams", transferred.facets_across_seams)
+      .add("images", images_of(options))
+      .add("covered_texels", baked.map.texels.size())
+      .add("overlapping_texels", baked.map.overlapping)
+      .add("warnings", warnings)
+      .add("seconds", time.seconds());
+    std::cout << json.text() << std::endl;
+  } else print(options, *map, distance, unit, transferred, baked);
+  return parts.share(Mapped::ONE_TO_ONE) > 0 ? DONE : NOT_CERTIFIED;
+}
+
+} // namespace Tool
