@@ -56,7 +56,7 @@ namespace Bspline_shells {
  *       \cgalParamDescription{largest distance between the image and the result, in the units of the coordinates; at
  *         least 16 tolerances of the map}
  *       \cgalParamType{`double`}
- *       \cgalParamDefault{1e-5 of the box size of the mesh for which the shell was built; also if the value is not
+ *       \cgalParamDefault{1e-4 of the box size of the mesh for which the shell was built; also if the value is not
  *         positive}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
@@ -64,7 +64,7 @@ namespace Bspline_shells {
  *   there are no gaps. Repeated vertices are merged. The image of a closed polyline ends with its first vertex; if there
  *   are gaps, the last part ends where the first part begins.
  *
- * \cgalHeading{Cost} The time is linear in the number of vertices of the result: a vertex takes about ten projections
+ * \cgalHeading{Cost} The time is linear in the number of vertices of the result: a vertex takes about six projections
  * of a point. Segments of the polyline are mapped concurrently.
  */
 template <typename ConcurrencyTag = Parallel_if_available_tag, typename Map, typename LocationRange,
@@ -78,7 +78,7 @@ Polyline_image<typename Map::Target_mesh, typename Map::Shell::Point_3> map_poly
   typedef typename Segment_image::Result Result;
   typedef typename Segment_image::Sample Sample;
   typedef typename Map::Source_location Source_location;
-  constexpr double default_tolerance = 1e-5; // in box sizes: invisible in pictures of the mesh, and few vertices
+  constexpr double default_tolerance = 1e-4; // in box sizes: less than a pixel in a picture of the mesh
 
   const double requested = choose_parameter(get_parameter(np, parameter_tags::tolerance), 0.);
   const double tolerance = (std::max)(requested > 0 ? requested : default_tolerance * map.shell().report().unit,
