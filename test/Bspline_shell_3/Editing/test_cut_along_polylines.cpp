@@ -132,7 +132,8 @@ TEST_CASE("Cut: a segment across two facets")
   Mesh mesh = before;
   const Marks marks = new_marks(mesh);
   const Polyline polyline = { in_square(mesh, 0.25, 0), in_square(mesh, 0.25, 0.25), in_square(mesh, 0.25, 1) };
-  const auto report = BS::cut_along_polylines(mesh, std::vector<Polyline>{ polyline }, P::edge_is_constrained_map(marks));
+  const auto report = BS::cut_along_polylines(mesh, std::vector<Polyline>{ polyline },
+                                              P::edge_is_constrained_map(marks));
   check_cut(before, mesh, report);
   CHECK(mesh.number_of_vertices() == 7);
   CHECK(report.facets == 6);
@@ -151,11 +152,11 @@ TEST_CASE("Cut: polylines along edges, through vertices, and to points in facets
   Mesh mesh = before;
   const Marks marks = new_marks(mesh);
   const std::vector<Polyline> polylines = {
-    { at_vertex(mesh, 0), at_vertex(mesh, 2) },                               // the diagonal
-    { in_square(mesh, 0.5, 0.5), in_square(mesh, 0.75, 0.75) },               // a part of it
+    { at_vertex(mesh, 0), at_vertex(mesh, 2) },                                // the diagonal
+    { in_square(mesh, 0.5, 0.5), in_square(mesh, 0.75, 0.75) },                // a part of it
     { in_square(mesh, 0.25, 0), in_square(mesh, 0.5, 0), at_vertex(mesh, 1) }, // a part of the border
-    { at_vertex(mesh, 1), in_square(mesh, 0.5, 0.25), at_vertex(mesh, 1) },   // there and back
-    { in_square(mesh, 0.25, 0.75) },                                          // a point
+    { at_vertex(mesh, 1), in_square(mesh, 0.5, 0.25), at_vertex(mesh, 1) },    // there and back
+    { in_square(mesh, 0.25, 0.75) },                                           // a point
     {}
   };
   const auto report = BS::cut_along_polylines(mesh, polylines, P::edge_is_constrained_map(marks));
@@ -213,10 +214,10 @@ TEST_CASE("Cut: parts of a marked edge are marked, and other new edges are not")
 {
   Mesh mesh = square();
   const Marks marks = new_marks(mesh);
-  for(auto e : mesh.edges())
-    marks[e] = !mesh.is_border(e); // the diagonal
+  for(auto e : mesh.edges()) marks[e] = !mesh.is_border(e); // the diagonal
   const Polyline polyline = { in_square(mesh, 0.25, 0), in_square(mesh, 0.25, 0.25), in_square(mesh, 0.25, 1) };
-  const auto report = BS::cut_along_polylines(mesh, std::vector<Polyline>{ polyline }, P::edge_is_constrained_map(marks));
+  const auto report = BS::cut_along_polylines(mesh, std::vector<Polyline>{ polyline },
+                                              P::edge_is_constrained_map(marks));
   REQUIRE(report);
   CHECK(report.cut_edges == 2);
   CHECK(marked_length(mesh, marks) == Approx(1 + std::sqrt(2.)));

@@ -237,7 +237,8 @@ TEST_CASE("Map polyline: between sheets, all crossed edges are found at their pa
         };
         const Point_3 a = target.point(target.vertex(e, 0)), b = target.point(target.vertex(e, 1));
         const double s = side(a, b, p), t = side(a, b, q);
-        if((side(p, q, a) > 0) != (side(p, q, b) > 0) && (s > 0) != (t > 0)) expected.push_back(double(n) + s / (s - t));
+        if((side(p, q, a) > 0) != (side(p, q, b) > 0) && (s > 0) != (t > 0))
+          expected.push_back(double(n) + s / (s - t));
       }
     }
     std::sort(expected.begin(), expected.end());
@@ -328,11 +329,13 @@ TEST_CASE("Map polyline: curves along edges and through vertices")
   CHECK(image.parts[0].size() == 2 * path.size() - 1);
 
   // straight over the vertices of a sheet, along its edges, and over its diagonals
-  const Mesh squares = sheet(steps(-0.5, 0.5, 4), steps(-0.5, 0.5, 4)), above = sheet(steps(-0.5, 0.5, 4), steps(-0.5, 0.5, 4), 0.5),
+  const Mesh squares = sheet(steps(-0.5, 0.5, 4), steps(-0.5, 0.5, 4)),
+             above = sheet(steps(-0.5, 0.5, 4), steps(-0.5, 0.5, 4), 0.5),
              large = sheet(steps(-0.5, 0.5, 2), steps(-0.5, 0.5, 2));
   const Map lifted(slab(), large, above);
   const auto mapped = [&](const Point_3& p, const Point_3& q, const Point_3& r) {
-    const Image result = BS::map_polyline(lifted, std::vector<Location>{ locate(large, p), locate(large, q), locate(large, r) });
+    const Image result = BS::map_polyline(
+      lifted, std::vector<Location>{ locate(large, p), locate(large, q), locate(large, r) });
     REQUIRE(result);
     check_polylines(result, above);
     return result.parts[0];
@@ -405,9 +408,9 @@ TEST_CASE("Map polyline: parts without an image are reported, and the rest is ma
   CHECK(middle.parts.empty());
   REQUIRE(middle.gaps.size() == 1);
   CHECK(middle.gaps[0].end == 1);
-  const Image through = BS::map_polyline(
-    from_square, std::vector<Location>{ locate(square, { 0.75, -0.75, 0 }), locate(square, { 0.4, 0.25, 0 }),
-                                        locate(square, { 0.75, 0.75, 0 }) });
+  const Image through = BS::map_polyline(from_square, std::vector<Location>{ locate(square, { 0.75, -0.75, 0 }),
+                                                                             locate(square, { 0.4, 0.25, 0 }),
+                                                                             locate(square, { 0.75, 0.75, 0 }) });
   CHECK(through.parts.size() == 1);
   CHECK(through.gaps.size() == 2);
   const Image point = BS::map_polyline(from_square, std::vector<Location>{ locate(square, { 0.75, -0.75, 0 }) });

@@ -1,9 +1,10 @@
 #include "Simplified.h"
-#include "Line_filter.h"
+#include "Pin_filter.h"
 
 #include "../Carry/Corner_groups.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Editing/Line_filter.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/certified_shell_of_soup_3.h>
@@ -16,6 +17,7 @@ namespace Tool {
 namespace {
 
 typedef BS::Shell_certificate_3<Shell::Field, Shell::Threshold> Certificate;
+typedef Mesh::Property_map<Mesh::Edge_index, bool> Edge_marks;
 
 // Marks the lines of a mesh, and returns their number of edges.
 std::size_t mark_lines(const Model& model, Mesh& mesh, Edge_marks marks)
@@ -39,7 +41,7 @@ BS::Simplification_result<Mesh> simplify_mesh(Mesh& mesh, Edge_marks lines, bool
   const BS::Facet_count_stop_predicate stop(facets);
   const auto np = BS::parameters::stop(stop).time_limit((std::max)(seconds, least_seconds));
   if(!has_lines && !found.excised) return BS::simplify_in_shell(mesh, found.shell(), np);
-  const Line_filter filter(mesh, lines, target.thickness, found.excised.get());
+  const BS::Line_filter filter(mesh, lines, target.thickness, Pin_filter(found.excised.get()));
   return BS::simplify_in_shell(mesh, found.shell(),
                                np.filter(std::cref(filter)).edge_is_constrained_map(lines).protect_constraints(false));
 }

@@ -43,7 +43,8 @@ inline const char* message(Cut_status status)
       return "Consecutive vertices of a polyline do not lie in a common facet: insert a vertex at each edge that the "
              "polyline crosses, or use the parts of an image (CGAL::Bspline_shells::map_polyline).";
     case Cut_status::FACET_TURNS:
-      return "A new facet would be so narrow that rounding turns it, so the mesh is unchanged: map the polylines with a "
+      return "A new facet would be so narrow that rounding turns it, so the mesh is unchanged: map the polylines with "
+             "a "
              "larger tolerance, or without vertices so close to each other.";
     case Cut_status::NOT_CERTIFIED:
       return "The result was not certified, so the mesh is unchanged: verify the mesh before it is cut "

@@ -159,8 +159,8 @@ Cut_report cut_along_polylines(TriangleMesh& mesh, const PolylineRange& polyline
  * Only the orientations of the new facets are checked. The named parameters are `edge_is_constrained_map` and
  * `vertex_point_map`.
  */
-template <typename TriangleMesh, typename PolylineRange, typename T = bool,
-          typename Tag = internal_np::all_default_t, typename Base = internal_np::No_property>
+template <typename TriangleMesh, typename PolylineRange, typename T = bool, typename Tag = internal_np::all_default_t,
+          typename Base = internal_np::No_property>
 Cut_report cut_along_polylines(
   TriangleMesh& mesh, const PolylineRange& polylines,
   const CGAL::Named_function_parameters<T, Tag, Base>& np = CGAL::parameters::default_values())

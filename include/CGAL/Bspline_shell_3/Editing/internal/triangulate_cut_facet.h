@@ -27,8 +27,8 @@ struct Cut_facet_triangulation
 {
   typedef std::array<double, 3> Weights; // barycentric coordinates
 
-  std::vector<Weights> crossings;                               // points where chords cross; their numbers follow
-  std::vector<std::array<std::size_t, 3> > triangles;           // numbers of points, oriented as the facet
+  std::vector<Weights> crossings;                                // points where chords cross; their numbers follow
+  std::vector<std::array<std::size_t, 3> > triangles;            // numbers of points, oriented as the facet
   std::vector<std::pair<std::size_t, std::size_t> > chord_parts; // edges of triangles on chords
 };
 

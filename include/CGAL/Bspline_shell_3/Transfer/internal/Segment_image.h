@@ -168,8 +168,7 @@ private:
   {
     ++m_result->traced_points;
     Source_location location = m_ends[0];
-    for(std::size_t i = 0; i < 3; ++i)
-      location.second[i] = (1 - t) * m_ends[0].second[i] + t * m_ends[1].second[i];
+    for(std::size_t i = 0; i < 3; ++i) location.second[i] = (1 - t) * m_ends[0].second[i] + t * m_ends[1].second[i];
     return sample_of(*m_map, t, m_map->to_target()(m_map->traced_point(location), m_hint));
   }
 
@@ -258,7 +257,8 @@ private:
       const Sample s = sample(a.t + check * (b.t - a.t));
       if(!s.has_image()) return s;
       if(check == 0.5) middle = s;
-      is_far = is_far || !(distance_from_chord(s.point, a.point, b.point) <= polyline_tuning.share_at_checks * m_tolerance);
+      is_far = is_far
+               || !(distance_from_chord(s.point, a.point, b.point) <= polyline_tuning.share_at_checks * m_tolerance);
     }
     return is_far ? middle : std::nullopt;
   }
@@ -322,8 +322,7 @@ private:
       visit_locations(mesh(), s.location, [&](const Location& b) {
         if(a.first != b.first) return false;
         for(int i = 0; i < 3; ++i)
-          if(a.second[std::size_t(i)] > 0)
-            inside = (std::min)(inside, b.second[std::size_t(i)] * height(*m_map, f, i));
+          if(a.second[std::size_t(i)] > 0) inside = (std::min)(inside, b.second[std::size_t(i)] * height(*m_map, f, i));
         return true;
       });
       if(target().has_area(f))
