@@ -1,9 +1,11 @@
 #include "Simplified.h"
 #include "Outcome.h"
+#include "Pin_filter.h"
 #include "finish_edit.h"
 
 #include "../Carry/Corner_groups.h"
 
+#include <CGAL/Bspline_shell_3/Editing/Line_filter.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 
 #include <algorithm>
@@ -13,6 +15,8 @@
 namespace Tool {
 
 namespace {
+
+typedef Mesh::Property_map<Mesh::Edge_index, bool> Edge_marks;
 
 // Marks the lines of a mesh, and returns their number of edges.
 std::size_t mark_lines(const Model& model, Mesh& mesh, Edge_marks marks)
@@ -56,7 +60,7 @@ BS::Simplification_result<Mesh> simplify_mesh(Mesh& mesh, Edge_marks lines, bool
   const auto simplify = [&](const auto& stop) {
     const auto np = BS::parameters::stop(stop).border_tolerance(target.border_tolerance);
     if(!needs_filter) return BS::simplify_in_shell(mesh, found.shell(), np);
-    const Line_filter filter(mesh, lines, target.line_tolerance, found.excised.get(), target.pins);
+    const BS::Line_filter filter(mesh, lines, target.line_tolerance, Pin_filter(found.excised.get(), target.pins));
     return BS::simplify_in_shell(
       mesh, found.shell(), np.filter(std::cref(filter)).edge_is_constrained_map(lines).protect_constraints(false));
   };

@@ -2,7 +2,6 @@
 #ifndef TOOL_VERBS_SIMPLIFIED_H
 #define TOOL_VERBS_SIMPLIFIED_H
 
-#include "Line_filter.h"
 #include "Progress.h"
 #include "Time_limit.h"
 #include "distance_bound.h"
@@ -17,6 +16,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <set>
 #include <string>
 
 namespace Tool {
@@ -40,7 +40,7 @@ struct Simplify_target
   double line_tolerance = 0;                                          // distance of lines
   double border_tolerance = 0;                                        // distance of borders; they are kept if it is 0
   double surface_tolerance = std::numeric_limits<double>::infinity(); // distance of surfaces
-  Line_filter::Points pins;                                           // vertices that are kept
+  std::set<Mesh::Point> pins;                                         // vertices that are kept
 };
 
 // A mesh that replaces the mesh of a shell, and is certified in it.
