@@ -20,10 +20,9 @@ typedef BS::Shell_certificate_3<Shell::Field, Shell::Threshold> Certificate;
 typedef Mesh::Property_map<Mesh::Edge_index, bool> Edge_marks;
 
 // Marks the lines of a mesh, and returns their number of edges.
-std::size_t mark_lines(const Model& model, Mesh& mesh, Edge_marks marks)
+std::size_t mark_lines(const std::vector<char>& lines, Mesh& mesh, Edge_marks marks)
 {
   std::size_t number = 0;
-  const std::vector<char> lines = find_lines(model, mesh, Mesh_origins(model, mesh));
   for(auto e : mesh.edges())
     if(lines[e]) {
       marks[e] = true;
@@ -82,7 +81,9 @@ void simplify_model(const Model& model, const Simplify_target& target, Progress&
   result.facets_before = found.mesh().number_of_faces() + excised;
   const std::size_t facets = target.facets == 0 ? 0 : target.facets <= excised ? 1 : target.facets - excised;
   auto lines = result.mesh.add_property_map<Mesh::Edge_index, bool>("e:is_line", false).first;
-  if(!found.proxy) result.lines = mark_lines(model, result.mesh, lines);
+  std::vector<char> is_line;
+  if(!found.proxy) is_line = find_lines(model, found.mesh(), Mesh_origins(model, found.mesh()));
+  if(!found.proxy && !target.cuts_lines) result.lines = mark_lines(is_line, result.mesh, lines);
   progress.show("simplification", 0);
   auto simplified = simplify_mesh(result.mesh, lines, result.lines > 0, facets, target, target.seconds - timer.time(),
                                   found);
@@ -94,6 +95,10 @@ void simplify_model(const Model& model, const Simplify_target& target, Progress&
   if(!simplified) return fail(Simplify_status::NOT_SIMPLIFIED, simplified.message());
   result.end = simplified.end;
   result.mesh.collect_garbage();
+  if(!found.proxy && target.cuts_lines) {
+    result.cut = cut_lines(found.shell(), found.mesh(), is_line, result.mesh);
+    result.lines = result.cut->cut.cut_edges;
+  }
   result.is_rounded = target.rounds_coordinates && round_coordinates(result.mesh, found.shell());
   if(found.excised) {
     result.rejoined = BS::rejoin_excised(*found.excised, result.mesh);

@@ -3,6 +3,7 @@
 #define TOOL_VERBS_SIMPLIFIED_H
 
 #include "Progress.h"
+#include "cut_lines.h"
 #include "distance_bound.h"
 
 #include "../Carry/Mesh_origins.h"
@@ -13,6 +14,7 @@
 #include <CGAL/Bspline_shell_3/Soup/rejoin_excised.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace Tool {
@@ -39,7 +41,8 @@ struct Simplified
   BS::Rejoined_soup_3 rejoined; // the mesh and the excised triangles, if there are any
   BS::Edit_termination end = BS::Edit_termination::NOT_EDITED;
   std::size_t facets_before = 0, facets = 0; // numbers for the whole surface
-  std::size_t lines = 0;                     // edges on lines that were kept together
+  std::size_t lines = 0;                     // edges on lines that were kept together, or at which facets were cut
+  std::optional<Cut_lines> cut;              // if the mesh was to be cut along lines
   bool gave_up_lines = false;                // whether lines were given up to reach the number of facets
   bool is_rounded = false;                   // whether coordinates are those of a file of floats
   Distance_bounds distances;                 // between the model and the result
@@ -50,6 +53,7 @@ struct Simplify_target
   double thickness;
   std::size_t facets; // 0 for as few as possible
   bool rounds_coordinates;
+  bool cuts_lines; // instead of keeping the edges on lines together
   double seconds;
 };
 

@@ -45,6 +45,7 @@ std::pair<std::unique_ptr<Simplified>, double> simplify_model(const Model& model
                                          : default_thickness * unit;
   target.facets = options.facets > 0 ? options.facets
                                      : std::size_t(std::ceil(options.ratio * double(model.soup.polygons.size())));
+  target.cuts_lines = options.cuts_lines;
   target.rounds_coordinates = model.coordinates == Number_type::FLOAT32;
   std::pair<std::unique_ptr<Simplified>, double> best;
   bool is_kept = false; // whether the best result keeps the tolerance
@@ -175,6 +176,7 @@ int simplify(const Simplify_options& options)
       .add("attributes", names)
       .add("warnings", written.warnings)
       .add("edges_on_lines", result->lines)
+      .add("cuts_lines", result->cut && result->cut->cut)
       .add("gave_up_lines", result->gave_up_lines)
       .add("facets_across_seams", carried.facets_across_seams)
       .add("points_without_image", carried.points_without_image)
@@ -193,6 +195,13 @@ int simplify(const Simplify_options& options)
     std::cout << "attributes ";
     for(const std::string& name : names) std::cout << " " << name;
     std::cout << "\n";
+  }
+  if(result->cut && result->cut->cut) {
+    std::cout << "lines       " << result->lines << " edges, along which facets were cut";
+    if(result->cut->gaps > 0) std::cout << "; " << result->cut->gaps << " parts of lines have no image";
+    std::cout << "\n";
+  } else if(result->cut) {
+    std::cout << "lines       were not cut. " << message(result->cut->cut.status) << "\n";
   }
   if(carried.facets_across_seams > 0)
     std::cout << "seams       " << carried.facets_across_seams << " facets lie across a seam\n";

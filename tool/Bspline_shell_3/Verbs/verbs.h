@@ -18,7 +18,7 @@ struct Simplify_options
   std::size_t facets = 0; // 0 if there is no target
   double ratio = 0;       // 0 if there is no target
   double seconds = std::numeric_limits<double>::infinity();
-  bool carries_normals = false, writes_json = false;
+  bool cuts_lines = false, carries_normals = false, writes_json = false;
 };
 int simplify(const Simplify_options& options);
 
