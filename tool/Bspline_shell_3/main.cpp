@@ -157,6 +157,8 @@ int main(int argc, char** argv)
     ->excludes(facets);
   add_length(*verb, "--border", simplify.border,
              "Simplify open borders within this distance (default: borders are kept)");
+  verb->add_flag("--cut-seams", simplify.cuts_lines,
+                 "Cut facets along seams and borders of labels, so that none lies across one");
   verb->add_flag("--keep-normals", simplify.carries_normals, "Interpolate normals instead of recomputing them");
   add_time_limit(*verb, simplify.seconds);
   add_common(*verb, writes_json,

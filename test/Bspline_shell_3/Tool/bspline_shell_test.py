@@ -181,6 +181,23 @@ with tempfile.TemporaryDirectory() as folder:
                     wrong += math.dist(columns["TEXCOORD_0"][v], (expected[0], 1 - expected[1])) > 0.03
     assert same > 0 and wrong <= 6 * report["facets_across_seams"], (same, wrong, report)
 
+    # A seam that zigzags: no facet lies across it if the result is cut along it.
+    def turned_uv(p, near):
+        return uv((p[0] + 0.7 * p[2], p[1] - 0.4 * p[2], p[2]), near)
+
+    text = "".join("v %r %r %r\n" % p for p in points)
+    for n, t in enumerate(triangles):
+        middle = turned_uv(centroid(points, t), 0)[0]
+        text += "".join("vt %r %r\n" % turned_uv(points[v], middle) for v in t)
+        text += "f " + " ".join("%d/%d" % (v + 1, 3 * n + i + 1) for i, v in enumerate(t)) + "\n"
+    source = write(path("zigzag.obj"), text)
+    kept = result("simplify", source, "-o", path("kept.obj"), "--tolerance", "2%")
+    report = result("simplify", source, "-o", path("cut.obj"), "--tolerance", "2%", "--cut-seams")
+    assert report["cuts_lines"] and not kept["cuts_lines"], report
+    assert report["facets_across_seams"] == 0 and report["edges_on_lines"] > kept["edges_on_lines"] > 0, (report, kept)
+    assert len(read_obj(path("cut.obj"))["f"]) == report["facets"] > kept["facets"], report
+    assert "along which facets were cut" in run("simplify", source, "-o", path("cut.obj"), "--cut-seams").stdout
+
     # OFF with colors, and STL with solids
     off = "COFF\n# colors\n%d %d 0\n" % (len(points), len(triangles))
     off += "".join("%r %r %r %d %d %d 255\n" % (*p, *(channel(a)(p) for a in range(3))) for p in points)

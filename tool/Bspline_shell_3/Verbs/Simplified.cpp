@@ -19,10 +19,9 @@ namespace {
 typedef Mesh::Property_map<Mesh::Edge_index, bool> Edge_marks;
 
 // Marks the lines of a mesh, and returns their number of edges.
-std::size_t mark_lines(const Model& model, Mesh& mesh, Edge_marks marks)
+std::size_t mark_lines(const std::vector<char>& lines, Mesh& mesh, Edge_marks marks)
 {
   std::size_t number = 0;
-  const std::vector<char> lines = find_lines(model, mesh, Mesh_origins(model, mesh));
   for(auto e : mesh.edges())
     if(lines[e]) {
       marks[e] = true;
@@ -90,7 +89,10 @@ Simplified simplify_in_shell(const Model& model, const std::shared_ptr<const BS:
   result.facets_before = found->mesh().number_of_faces() + excised;
   const std::size_t facets = target.facets == 0 ? 0 : target.facets <= excised ? 1 : target.facets - excised;
   auto lines = result.mesh.add_property_map<Mesh::Edge_index, bool>("e:is_line", false).first;
-  if(!found->proxy) result.lines = mark_lines(model, result.mesh, lines);
+  std::vector<char> is_line;
+  if(!found->proxy) is_line = find_lines(model, found->mesh(), Mesh_origins(model, found->mesh()));
+  const bool cuts_lines = target.cuts_lines && !found->proxy;
+  if(!found->proxy && !cuts_lines) result.lines = mark_lines(is_line, result.mesh, lines);
   result.keeps_lines = target.keeps_lines || result.lines == 0;
   if(!result.keeps_lines)
     for(auto e : result.mesh.edges()) lines[e] = false;
@@ -108,6 +110,10 @@ Simplified simplify_in_shell(const Model& model, const std::shared_ptr<const BS:
   result.closing = simplified.closing;
   result.removed_border_edges = simplified.removed_border_edges;
   result.mesh.collect_garbage();
+  if(cuts_lines) {
+    result.cut = cut_lines(*found, is_line, result.mesh, result.closing);
+    result.lines = result.cut->cut.cut_edges;
+  }
   result.is_rounded = target.rounds_coordinates && round_coordinates(result.mesh, found->shell(), result.closing);
   if(found->excised) {
     result.rejoined = BS::rejoin_excised(*found->excised, result.mesh);

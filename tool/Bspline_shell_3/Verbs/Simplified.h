@@ -4,6 +4,7 @@
 
 #include "Progress.h"
 #include "Time_limit.h"
+#include "cut_lines.h"
 #include "distance_bound.h"
 
 #include "../Carry/Mesh_origins.h"
@@ -16,6 +17,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -36,6 +38,7 @@ struct Simplify_target
 {
   std::size_t facets = 0; // 0 for as few as possible
   bool keeps_lines = true;
+  bool cuts_lines = false;                                            // instead of keeping their edges
   bool rounds_coordinates = false;                                    // to floats, if the result remains certified
   double line_tolerance = 0;                                          // distance of lines
   double border_tolerance = 0;                                        // distance of borders; they are kept if it is 0
@@ -54,12 +57,13 @@ struct Simplified
   Limit limit = Limit::MESH;
   std::size_t facets_before = 0, facets = 0; // numbers for the whole surface
   std::size_t removed_border_edges = 0;
-  std::size_t lines = 0;     // edges on lines before the simplification
-  bool keeps_lines = true;   // whether lines were kept together
-  bool is_rounded = false;   // whether coordinates are those of a file of floats
-  std::size_t pins = 0;      // vertices that were kept because of the tolerance
-  double thickness = 0;      // requested thickness of the shell
-  Distance_bounds distances; // between the model and the result
+  std::size_t lines = 0;        // edges on lines before the simplification, or at which facets were cut
+  bool keeps_lines = true;      // whether lines were kept together
+  std::optional<Cut_lines> cut; // if the mesh was to be cut along lines
+  bool is_rounded = false;      // whether coordinates are those of a file of floats
+  std::size_t pins = 0;         // vertices that were kept because of the tolerance
+  double thickness = 0;         // requested thickness of the shell
+  Distance_bounds distances;    // between the model and the result
 
   explicit operator bool() const { return message.empty(); }
 };

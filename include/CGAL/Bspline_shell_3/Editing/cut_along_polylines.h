@@ -106,8 +106,8 @@ Cut_report cut_and_check(TriangleMesh& mesh, const PolylineRange& polylines, con
  *
  * \param mesh a closed mesh that can be certified in the shell, or a mesh with the border of its closing. Border
  *   edges of an open mesh must not be cut, because its closing has the same border.
- * \param polylines locations on the mesh, such as those of `Polyline_image::parts`. Consecutive vertices lie in a common
- *   facet. Coordinates of vertices on edges contain an exact 0.
+ * \param polylines locations on the mesh, such as those of `Polyline_image::parts`. Consecutive vertices lie in a
+ *   common facet. Coordinates of vertices on edges contain an exact 0.
  * \param shell a shell; it may be certified for another mesh
  * \param np optional named parameters
  *   \cgalNamedParamsBegin
