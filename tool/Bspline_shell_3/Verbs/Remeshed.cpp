@@ -1,5 +1,4 @@
 #include "Remeshed.h"
-#include "Line_filter.h"
 #include "Outcome.h"
 #include "finish_edit.h"
 
