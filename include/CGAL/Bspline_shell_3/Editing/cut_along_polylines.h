@@ -86,8 +86,8 @@ Cut_report cut_and_check(TriangleMesh& mesh, const PolylineRange& polylines, con
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief cuts facets of a mesh in a shell along polylines, and certifies the result: each polyline is then a sequence of
- * edges.
+ * \brief cuts facets of a mesh in a shell along polylines, and certifies the result. Each polyline is then a sequence
+ * of edges.
  *
  * Often, the polylines are the images of seams (`map_polyline()`): no facet of the result then lies across a seam. Each
  * facet that a polyline meets is replaced by a constrained Delaunay triangulation, whose predicates are exact: the
@@ -106,8 +106,8 @@ Cut_report cut_and_check(TriangleMesh& mesh, const PolylineRange& polylines, con
  *
  * \param mesh a closed mesh that can be certified in the shell, or a mesh with the border of its closing. Border edges
  *   of an open mesh must not be cut, because its closing has the same border.
- * \param polylines locations on the mesh, such as those of `Polyline_image::parts`. Consecutive vertices lie in a common
- *   facet. Coordinates of vertices on edges contain an exact 0.
+ * \param polylines locations on the mesh, such as those of `Polyline_image::parts`. Consecutive vertices lie in a
+ *   common facet. Coordinates of vertices on edges contain an exact 0.
  * \param shell a shell; it may be certified for another mesh
  * \param np optional named parameters
  *   \cgalNamedParamsBegin
