@@ -44,8 +44,7 @@ double distance_of_traced_points(const Map& map, const Polyline& curve, const Im
   constexpr int parts = 12;
   double largest = 0;
   for(std::size_t n = 0; n + 1 < curve.size(); ++n) {
-    auto a = curve[n], b = curve[n + 1];
-    BS::internal::move_to_common_facet(map.source(), a, b);
+    const auto a = curve[n], b = PMP::locate_in_adjacent_face(curve[n + 1], a.first, map.source());
     for(int i = 1; i < parts; ++i) {
       auto location = a;
       for(std::size_t k = 0; k < 3; ++k) location.second[k] += (b.second[k] - a.second[k]) * i / parts;
