@@ -1,6 +1,7 @@
 // Simplifies a mesh, maps a closed curve from the mesh to the result, and cuts the result along its image. The curve is
 // where a horizontal plane meets the mesh. Writes cut.ply, whose facets have the color of their side of the curve.
 #include "example_files.h"
+#include "horizontal_section.h"
 
 #include <CGAL/Bspline_shell_3/Editing/cut_along_polylines.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
@@ -8,44 +9,15 @@
 #include <CGAL/Bspline_shell_3/Transfer/map_polyline.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/locate.h>
-#include <CGAL/Surface_mesh.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <string>
 #include <vector>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-typedef std::vector<PMP::Face_location<Mesh, double> > Polyline;
-
-// Returns the closed polylines in which a horizontal plane that contains no vertex meets a closed mesh.
-std::vector<Polyline> section(const Mesh& mesh, double z)
-{
-  const auto is_above = [&](Mesh::Vertex_index v) { return mesh.point(v).z() > z; };
-  std::vector<Polyline> result;
-  std::vector<char> is_done(mesh.num_halfedges(), 0);
-  for(Mesh::Halfedge_index h : mesh.halfedges())
-    if(!is_done[h] && !is_above(mesh.source(h)) && is_above(mesh.target(h))) {
-      result.emplace_back();
-      while(!is_done[h]) {
-        is_done[h] = 1;
-        const double a = mesh.point(mesh.source(h)).z() - z, b = mesh.point(mesh.target(h)).z() - z;
-        result.back().push_back(PMP::locate_on_halfedge<double>(h, a / (a - b), mesh));
-        h = mesh.next(h); // the facet's other edge with ends on both sides
-        if(is_above(mesh.source(h)) == is_above(mesh.target(h))) h = mesh.next(h);
-        h = mesh.opposite(h);
-      }
-      result.back().push_back(result.back().front());
-    }
-  return result;
-}
 
 int main(int argc, char** argv)
 {
@@ -67,7 +39,7 @@ int main(int argc, char** argv)
   std::vector<Polyline> images;
   const BS::Shell_map_3 map(shell, mesh, coarse);
   const CGAL::Bbox_3 box = PMP::bbox(mesh);
-  for(const Polyline& curve : section(mesh, box.zmin() + 0.4321 * (box.zmax() - box.zmin()))) {
+  for(const Polyline& curve : horizontal_section(mesh, box.zmin() + 0.4321 * (box.zmax() - box.zmin()))) {
     const auto image = BS::map_polyline(map, curve);
     for(const auto& gap : image.gaps)
       std::cerr << "No image from " << gap.begin << " to " << gap.end << ": " << gap.message() << std::endl;

@@ -26,7 +26,7 @@ typedef Map::Source_location Location;
 typedef BS::Polyline_image<Mesh, Point_3> Image;
 typedef Image::Vertex Vertex;
 
-const double map_tolerance = 2e-9; // of maps between the meshes of this test, whose box size is 2
+const double map_tolerance = 2e-9; // the default for a box size of 2
 
 Point_3 point_of(const Location& location, const Mesh& mesh)
 {

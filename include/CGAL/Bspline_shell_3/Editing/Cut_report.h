@@ -61,12 +61,12 @@ inline const char* message(Cut_status status)
 struct Cut_report
 {
   Cut_status status = Cut_status::NO_SHELL;
-  /// with `INVALID_LOCATION` or `NO_COMMON_FACET`: number of the polyline, and of the first of its vertices concerned
+  /// number of the polyline, and of the first of its vertices that `INVALID_LOCATION` or `NO_COMMON_FACET` concerns
   std::size_t polyline = 0, vertex = 0;
   std::size_t facets_before = 0, facets = 0; ///< number of facets of the mesh before and after the cut
   std::size_t cut_facets = 0;                ///< number of facets that were replaced by smaller ones
   std::size_t cut_edges = 0;                 ///< number of edges of the result on polylines
-  /// number of vertices where polylines cross each other inside facets; they have no vertex of their own there
+  /// number of points where polylines cross each other inside facets without a common vertex; vertices are added there
   std::size_t crossings = 0;
   Certificate_report certificate; ///< the certificate of the result, if a shell was passed
 

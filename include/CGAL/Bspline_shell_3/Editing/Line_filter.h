@@ -24,8 +24,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief a filter of edge collapses that keeps polylines of edges, the *lines*, close to their initial positions:
- * seams, feature lines, and borders of labels.
+ * \brief a filter of edge collapses that keeps *lines*, which are polylines of edges, close to their initial positions.
+ * Examples are seams, feature lines, and borders of labels.
  *
  * If an edge on a line is collapsed, an edge replaces a part of the initial line. A placement passes only if all points
  * of this part are within a given distance of the new edge. Since the part is connected and has the ends of the edge,
@@ -34,8 +34,8 @@ namespace Bspline_shells {
  *
  * \cgalModels `PlacementFilter`
  *
- * \tparam TriangleMesh a model of `HalfedgeListGraph`, with an internal vertex point map
- * \tparam EdgeIsLineMap a model of `ReadablePropertyMap` from edges to `bool`, which is updated during the edit
+ * \tparam TriangleMesh a model of `HalfedgeListGraph`, with an internal vertex point map.
+ * \tparam EdgeIsLineMap a model of `ReadablePropertyMap` from edges to `bool`. The edit updates it.
  * \tparam BaseFilter a model of `PlacementFilter`, which is called first
  */
 template <typename TriangleMesh, typename EdgeIsLineMap, typename BaseFilter = Permissive_filter>

@@ -86,7 +86,7 @@ Cut_report cut_and_check(TriangleMesh& mesh, const PolylineRange& polylines, con
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief cuts facets of a mesh in a shell along polylines, and certifies the result: each polyline is then a sequence
+ * \brief cuts facets of a mesh in a shell along polylines, and certifies the result. Each polyline is then a sequence
  * of edges.
  *
  * Often, the polylines are the images of seams (`map_polyline()`): no facet of the result then lies across a seam. Each
@@ -104,8 +104,8 @@ Cut_report cut_and_check(TriangleMesh& mesh, const PolylineRange& polylines, con
  *   of a kernel whose `FT` is `double`
  * \tparam PolylineRange a range of ranges of locations (`CGAL::Polygon_mesh_processing::Face_location`)
  *
- * \param mesh a closed mesh that can be certified in the shell, or a mesh with the border of its closing. Border
- *   edges of an open mesh must not be cut, because its closing has the same border.
+ * \param mesh a closed mesh that can be certified in the shell, or a mesh with the border of its closing. Border edges
+ *   of an open mesh must not be cut, because its closing has the same border.
  * \param polylines locations on the mesh, such as those of `Polyline_image::parts`. Consecutive vertices lie in a
  *   common facet. Coordinates of vertices on edges contain an exact 0.
  * \param shell a shell; it may be certified for another mesh

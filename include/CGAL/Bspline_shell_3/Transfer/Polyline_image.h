@@ -37,7 +37,7 @@ struct Polyline_gap
   double begin = 0; ///< parameter of the first point of the part (`Polyline_image::Vertex::parameter`)
   double end = 0;   ///< parameter of the last point of the part
   Polyline_status status = Polyline_status::NO_IMAGE;
-  Flow_status flow = Flow_status::SUCCESS; ///< for `NO_IMAGE`, the status of the first image that was not found
+  Flow_status flow = Flow_status::SUCCESS; ///< status of the first image that was not found (`NO_IMAGE`)
 
   /// returns a sentence that describes the problem and a remedy
   const char* message() const
@@ -80,7 +80,7 @@ struct Polyline_image
     /// place on the polyline of the source: `n + t` is the point that divides the segment from vertex `n` to vertex
     /// `n + 1` in the ratio `t : (1 - t)`
     double parameter = 0;
-    bool is_continued = false; ///< as `Projected_point::is_continued`
+    bool is_continued = false; ///< whether the image is only a nearest point (`Projected_point::is_continued`)
   };
 
   /// the images of the parts between the gaps, in the order of the polyline; a part may have one vertex

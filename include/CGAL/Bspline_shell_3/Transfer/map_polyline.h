@@ -30,17 +30,17 @@ namespace Bspline_shells {
  *
  * \brief maps a polyline on the source to the target: a seam, a feature line, a cut, or a path.
  *
- * The result has a vertex for each vertex of the polyline, a vertex at each edge of the target that the image crosses,
- * and vertices in facets where the image bends. Consecutive vertices lie in a common facet, so the result can be drawn
- * on the target, be measured, and be made a sequence of edges (`cut_along_polylines()`).
+ * The result has a vertex for each vertex of the polyline, and one at each edge of the target that the image crosses.
+ * Where the image bends, there are further vertices in facets. Consecutive vertices lie in a common facet, so the
+ * result can be drawn on the target, be measured, and be made a sequence of edges (`cut_along_polylines()`).
  *
- * If both meshes are certified in the same shell, the image of the polyline is a curve, and that of a polyline that
- * does not meet itself does not meet itself. The vertices of the result are images of points of the polyline. The
+ * If both meshes are certified in the same shell, the image of the polyline is a curve. It does not meet itself if the
+ * polyline does not meet itself. The vertices of the result are images of points of the polyline. The
  * tolerance of the map applies to them, twice where a vertex is moved to an edge. Between two vertices, the distance of
  * the image curve from the result is checked at three points and is at most 0.45 times the tolerance there. This is not
- * a proof: it bounds the distance by the tolerance if the image between the vertices is a polynomial of degree four,
- * which is accurate where facets are small compared with the radii of curvature of the level sets. If a curve enters a
- * facet and leaves it between two checked points, within the tolerance, its vertices may be missing.
+ * a proof. It bounds the distance by the tolerance if the image between the vertices is a polynomial of degree four.
+ * Where facets are small compared with the radii of curvature of the level sets, such polynomials are accurate. If a
+ * curve enters a facet and leaves it between two checked points, within the tolerance, its vertices may be missing.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam Map a `Shell_map_3`
@@ -79,7 +79,7 @@ Polyline_image<typename Map::Target_mesh, typename Map::Shell::Point_3> map_poly
   typedef typename Segment_image::Result Result;
   typedef typename Segment_image::Sample Sample;
   typedef typename Map::Source_location Source_location;
-  constexpr double default_tolerance = 1e-4; // in box sizes: less than a pixel in a picture of the mesh
+  constexpr double default_tolerance = 1e-4; // box sizes; less than a pixel in a picture of the mesh
 
   const double requested = choose_parameter(get_parameter(np, parameter_tags::tolerance), 0.);
   const double tolerance = (std::max)(requested > 0 ? requested : default_tolerance * map.shell().report().unit,

@@ -130,7 +130,7 @@ private:
   // Makes the sum of the coordinates of a point on an edge exactly one. Returns whether the location is valid.
   static bool normalize(Location& location)
   {
-    constexpr double largest_error = 1e-9; // of the sum
+    constexpr double largest_error = 1e-9; // limits the sum's difference from 1
     Weights& w = location.second;
     double sum = 0;
     for(double x : w) {

@@ -30,8 +30,8 @@ struct Polyline_tuning
   // Largest distance at a check, as a fraction of the tolerance. A polynomial of degree four that vanishes at both ends
   // is at most 2.21 times as large as at the checks: this is the Lebesgue constant of five equidistant points.
   double share_at_checks = 0.45;
-  // Smallest tolerance, in tolerances of the map. An image and the snap to an edge each have an error of up to one
-  // tolerance of the map, so two chords differ by up to four without any bend; the factor is for `share_at_checks`.
+  // Smallest tolerance, in tolerances of the map. Images, and moves to edges, each have an error of up to one tolerance
+  // of the map. The distance of a straight image from its chord may thus seem to be four of them.
   double least_tolerance = 16;
 };
 
@@ -219,7 +219,7 @@ private:
           connect_or_end(a, *bend);
           return connect_or_end(*bend, b);
         }
-        if(bend->t == a.t || bend->t == b.t) { // a and b cannot be told apart on the source
+        if(bend->t == a.t || bend->t == b.t) { // the parameters of a and b have no double between them
           if(distance(a.point, b.point) <= m_tolerance) return add(b);
           add_gap(a, b, Polyline_status::JUMPS);
           return begin_part(*m_result, m_number, b);
