@@ -22,8 +22,8 @@ struct Source_point
   std::array<double, 3> weights;
 };
 
-// Returns an image with a color at the center of each texel. Texels close to covered ones get the mean of their neighbors,
-// so that colors at seams are not mixed with the background.
+// Returns an image with a color at the center of each texel. Texels close to covered ones get the mean of their
+// neighbors, so that colors at seams are not mixed with the background.
 // \param size number of texels along each side
 // \param margin number of texels that are filled around the covered ones
 // \param color returns the color of a point
