@@ -1,10 +1,10 @@
 // Computes the union, intersection, or difference of two solids, and simplifies it in its shell. Each facet keeps the
 // color of its solid. Edges of the intersection curve are collapsed along the curve. The curve moves by at most 1/1000
 // of the longest side of the bounding box, and still separates the colors.
-#include "curve_filter.h"
 #include "example_files.h"
 #include "operand_labels.h"
 
+#include <CGAL/Bspline_shell_3/Editing/Line_filter.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_face_labels.h>
@@ -71,7 +71,7 @@ int main(int argc, char** argv)
   }
   Mesh coarse = mesh;
   const Curve coarse_curve = curve_of(coarse);
-  const Curve_filter near_curve(coarse, coarse_curve, 0.001 * shell.report().unit);
+  const BS::Line_filter near_curve(coarse, coarse_curve, 0.001 * shell.report().unit);
   const auto result = BS::simplify_in_shell(
     coarse, shell,
     BS::parameters::edge_is_constrained_map(coarse_curve).protect_constraints(false).filter(std::cref(near_curve)));

@@ -7,6 +7,8 @@ The layers, from the lowest, are the folders of include/CGAL/Bspline_shell_3 in 
 headers only to test them; examples and benchmarks do not use internal names.
 
 It also fails
+- if a source of the program bspline_shell includes one of a higher layer (Files, Carry, Bake, Verbs), or names something
+  internal to the package;
 - if a source of the package converts numbers to doubles other than by rounded() of Support/coordinates.h, which proofs
   rely on;
 - if a line of C++ has more columns than .clang-format allows;
@@ -19,6 +21,7 @@ import sys
 
 STOREYS = ["Support", "Spline", "Cells", "Mesh", "Field", "Shell", "Closing", "Truncation", "Fit", "Certificate", "Projection", "Transfer", "Editing", "Surface",
            "IO", "Construction", "Soup"]
+TOOL_STOREYS = ["Files", "Carry", "Bake", "Verbs"]
 PACKAGE = "CGAL/Bspline_shell_3/"
 
 
@@ -94,7 +97,13 @@ def main(root):
         others = [header for header in includes(read(root, "test", name)) if is_internal(header)]
         if others and tested not in others:
             wrong.append(f"{name} includes {', '.join(others)}, and tests no internal header")
-    for place in ("examples", "benchmark"):
+    tool = os.path.join(root, "tool", "Bspline_shell_3")
+    for name in files(tool):
+        folder = name.split("/")[0]
+        for other in re.findall(r'#include "\.\./(\w+)/', read(tool, name)):
+            if TOOL_STOREYS.index(other) > TOOL_STOREYS.index(folder):
+                wrong.append(f"tool/Bspline_shell_3/{name} includes a file of {other}, from a storey above")
+    for place in ("examples", "benchmark", "tool"):
         for name in files(os.path.join(root, place)):
             text = read(root, place, name)
             if re.search(r"(\bBS|Bspline_shells)::internal::", text) or any(map(is_internal, includes(text))):
@@ -107,7 +116,7 @@ def main(root):
         titles = re.findall(r'TEST_CASE\(\s*((?:"(?:[^"\\]|\\.)*"\s*)+)', read(tests, name))
         wrong += [f"test/Bspline_shell_3/{name} has a title with a semicolon: {title}" for title in titles if ";" in title]
     columns = int(re.search(r"^ColumnLimit: (\d+)$", read(root, ".clang-format"), re.MULTILINE).group(1))
-    for place in ("include", "src", "test", "examples", "benchmark", "doc"):
+    for place in ("include", "src", "test", "examples", "benchmark", "tool", "doc"):
         for name in files(os.path.join(root, place)):
             long = [str(n) for n, line in enumerate(read(root, place, name).split("\n"), 1) if len(line) > columns]
             if long:

@@ -132,7 +132,8 @@ int main(int argc, char** argv)
 {
   CLI::App program("Simplifies triangle meshes and keeps everything that is attached to them: colors, texture\n"
                    "coordinates, materials, groups, labels, and other properties. The distance and the one-to-one map\n"
-                   "between the original and the result are proved. Files: PLY, OBJ with MTL, OFF, STL.",
+                   "between the original and the result are proved. Files: PLY, OBJ with MTL, OFF,\n"
+                   "STL, glTF, GLB.",
                    "bspline_shell");
   program.set_version_flag("--version", std::string("bspline_shell ") + BSPLINE_SHELL_3_VERSION);
   program.set_help_all_flag("--help-all", "Print the help of all verbs");
@@ -156,6 +157,8 @@ int main(int argc, char** argv)
     ->excludes(facets);
   add_length(*verb, "--border", simplify.border,
              "Simplify open borders within this distance (default: borders are kept)");
+  verb->add_flag("--cut-seams", simplify.cuts_lines,
+                 "Cut facets along seams and borders of labels, so that none lies across one");
   verb->add_flag("--keep-normals", simplify.carries_normals, "Interpolate normals instead of recomputing them");
   add_time_limit(*verb, simplify.seconds);
   add_common(*verb, writes_json,

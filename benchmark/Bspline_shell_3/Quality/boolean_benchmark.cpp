@@ -6,7 +6,7 @@
 // Default: ten pairs of meshes, the second one turned and moved (place() in operand_labels.h). Given meshes are not
 // moved. There are four simplifications: `free` ignores the colors and gets them by transfer_face_labels().
 // `along_curve` collapses edges of the intersection curve along the curve. `near_curve` does so only if the curve stays
-// near (Curve_filter). `protected` keeps all of these edges. In the last three, facets keep their labels. The thickness
+// near (Line_filter). `protected` keeps all of these edges. In the last three, facets keep their labels. The thickness
 // of the shell (default 0.01) and the distance of near_curve (default 0.001) are in units of the longest box side.
 //
 // - label_distance: largest distance of a facet's centroid on the Boolean from the operand with the facet's label
@@ -17,9 +17,9 @@
 //   image on the Boolean's mesh
 #include "../AABB_tree_of.h"
 #include "../meshes_in_shell.h"
-#include "../../../examples/Bspline_shell_3/curve_filter.h"
 #include "../../../examples/Bspline_shell_3/operand_labels.h"
 
+#include <CGAL/Bspline_shell_3/Editing/Line_filter.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_face_labels.h>
@@ -243,7 +243,7 @@ void measure(const std::string& name_0, const Mesh& first, const std::string& na
             << std::flush;
   const auto with_curve = [&](const char* name, double distance, bool protects) {
     Mesh coarse = mesh;
-    const Curve_filter filter(coarse, curve_of(coarse), distance);
+    const BS::Line_filter filter(coarse, curve_of(coarse), distance);
     std::cout << ",\"" << name << "\":"
               << simplify(shell, before, true, options.points,
                           BS::parameters::edge_is_constrained_map(curve_of(coarse))

@@ -1,9 +1,9 @@
-// operand_labels.h and curve_filter.h of the examples: after Boolean operations, the labels of facets must fit their
+// operand_labels.h of the examples, Line_filter.h: after Boolean operations, the labels of facets must fit their
 // positions.
-#include "../../../examples/Bspline_shell_3/curve_filter.h"
 #include "../../../examples/Bspline_shell_3/operand_labels.h"
 #include "test_meshes.h"
 
+#include <CGAL/Bspline_shell_3/Editing/Line_filter.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
@@ -192,7 +192,7 @@ TEST_CASE("Boolean labels: simplification keeps the labels, and the curve that s
     REQUIRE(shell.is_certified());
     Mesh coarse = mesh;
     const double distance = 0.001 * shell.report().unit;
-    const Curve_filter filter(coarse, curve_of(coarse), distance);
+    const BS::Line_filter filter(coarse, curve_of(coarse), distance);
     const auto result = BS::simplify_in_shell(
       coarse, shell,
       BS::parameters::edge_is_constrained_map(curve_of(coarse)).protect_constraints(false).filter(std::cref(filter)));

@@ -13,7 +13,7 @@ import sys
 import tempfile
 import time
 
-from mesh_files import as_ply, centroid, read, read_obj, read_ply, sphere, write
+from mesh_files import as_glb, as_ply, centroid, read, read_glb, read_obj, read_ply, sphere, write
 
 program, meshes = sys.argv[1:]
 WRONG_INPUT, WRONG_USAGE, CANNOT_WRITE, NOT_CERTIFIED = 1, 2, 3, 4
@@ -135,6 +135,69 @@ with tempfile.TemporaryDirectory() as folder:
     report = result("simplify", path("patches.ply"), "-o", path("t.ply"), "--facets", "60", "--thickness", "1%")
     assert not report["reaches_target"] and report["keeps_lines"], report
 
+    # GLB: vertices that are split at the seam of a texture, colors, an own attribute, two materials, and an image
+    single = [struct.unpack("3f", struct.pack("3f", *p)) for p in points]
+    vertices, index, parts = [], {}, [[], []]
+    for t in triangles:
+        c = centroid(points, t)
+        middle = math.atan2(c[1], c[0]) / (2 * math.pi)
+        for v in t:
+            u = uv(points[v], middle)
+            key = (v, u[0] if abs(points[v][2]) < 0.999 else 0)
+            if key not in index:
+                index[key] = len(vertices)
+                vertices.append((single[v], (key[1], 1 - u[1])))
+            parts[side(c) - 1].append(index[key])
+    image = b"\x89PNG an image that is not decoded"
+    extra = {"materials": [{"name": "east", "emissiveFactor": [1, 0, 0], "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}},
+                           {"name": "west", "extensions": {"KHR_materials_unlit": {}}}],
+             "textures": [{"source": 0}], "extensionsUsed": ["KHR_materials_unlit"]}
+    source = write(path("in.glb"), as_glb(
+        [("POSITION", 5126, "VEC3", [p for p, _ in vertices]), ("TEXCOORD_0", 5126, "VEC2", [t for _, t in vertices]),
+         ("COLOR_0", 5121, "VEC4", [(*(channel(a)(p) for a in range(3)), 255) for p, _ in vertices]),
+         ("_TEMPERATURE", 5126, "SCALAR", [(20 + 5 * p[0] - p[2],) for p, _ in vertices])], parts, image, extra))
+    report = result("simplify", source, "-o", path("out.glb"), "--tolerance", "2%")
+    assert report["facets"] < len(triangles) / 2 and not report["warnings"], report
+    assert sorted(report["attributes"]) == ["TEMPERATURE", "color", "material", "object", "texture"], report
+    gltf, kept, primitives = read_glb(path("out.glb"))
+    assert kept == image and gltf["materials"] == extra["materials"], gltf
+    assert [p[0] for p in primitives] == [0, 1] and gltf["nodes"][0]["name"] == "ball", gltf
+    assert sum(len(p[1]) for p in primitives) == 3 * report["facets"], report
+    wrong, same, value = 0, 0, {p: i for i, p in enumerate(single)}
+    for material, corners, columns in primitives:
+        for i in range(0, len(corners), 3):
+            t = corners[i:i + 3]
+            c = centroid(columns["POSITION"], t)
+            assert side(c) == material + 1 or abs(c[0]) < 0.1, c
+            middle = columns["TEXCOORD_0"][t[0]][0]
+            for v in t:
+                p = columns["POSITION"][v]
+                q = [x / math.sqrt(sum(x * x for x in p)) for x in p]
+                same += p in value
+                assert all(abs(columns["COLOR_0"][v][a] - channel(a)(q)) <= 4 for a in range(3)), (p, columns["COLOR_0"][v])
+                assert abs(columns["_TEMPERATURE"][v][0] - (20 + 5 * q[0] - q[2])) < 0.15, p
+                if abs(p[2]) < 0.95:
+                    expected = uv(q, middle)
+                    wrong += math.dist(columns["TEXCOORD_0"][v], (expected[0], 1 - expected[1])) > 0.03
+    assert same > 0 and wrong <= 6 * report["facets_across_seams"], (same, wrong, report)
+
+    # A seam that zigzags: no facet lies across it if the result is cut along it.
+    def turned_uv(p, near):
+        return uv((p[0] + 0.7 * p[2], p[1] - 0.4 * p[2], p[2]), near)
+
+    text = "".join("v %r %r %r\n" % p for p in points)
+    for n, t in enumerate(triangles):
+        middle = turned_uv(centroid(points, t), 0)[0]
+        text += "".join("vt %r %r\n" % turned_uv(points[v], middle) for v in t)
+        text += "f " + " ".join("%d/%d" % (v + 1, 3 * n + i + 1) for i, v in enumerate(t)) + "\n"
+    source = write(path("zigzag.obj"), text)
+    kept = result("simplify", source, "-o", path("kept.obj"), "--tolerance", "2%")
+    report = result("simplify", source, "-o", path("cut.obj"), "--tolerance", "2%", "--cut-seams")
+    assert report["cuts_lines"] and not kept["cuts_lines"], report
+    assert report["facets_across_seams"] == 0 and report["edges_on_lines"] > kept["edges_on_lines"] > 0, (report, kept)
+    assert len(read_obj(path("cut.obj"))["f"]) == report["facets"] > kept["facets"], report
+    assert "along which facets were cut" in run("simplify", source, "-o", path("cut.obj"), "--cut-seams").stdout
+
     # OFF with colors, and STL with solids
     off = "COFF\n# colors\n%d %d 0\n" % (len(points), len(triangles))
     off += "".join("%r %r %r %d %d %d 255\n" % (*p, *(channel(a)(p) for a in range(3))) for p in points)
@@ -177,8 +240,8 @@ with tempfile.TemporaryDirectory() as folder:
         assert facet[12] == side(c) or abs(c[0]) < 0.1, facet
 
     # Any format becomes any other; warnings name what is left out.
-    for source in ("in.ply", "in.obj", "in.off", "in.stl"):
-        for target in ("x.ply", "x.obj", "x.off", "x.stl"):
+    for source in ("in.ply", "in.obj", "in.off", "in.stl", "in.glb"):
+        for target in ("x.ply", "x.obj", "x.off", "x.stl", "x.gltf", "x.glb"):
             done = run("simplify", path(source), "-o", path(target), "--facets", "600")
             assert done.returncode == 0, done
             if (source, target) == ("in.ply", "x.stl"):

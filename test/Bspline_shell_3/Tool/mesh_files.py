@@ -1,4 +1,5 @@
 """Meshes with known shapes, and files of meshes, which the tests read and write themselves."""
+import json
 import math
 import struct
 
@@ -138,3 +139,56 @@ def as_obj(points, polygons, uv=None, head=""):
         else:
             text += "f " + " ".join(str(v + 1) for v in polygon) + "\n"
     return text
+
+
+GLTF_TYPES = {5121: "B", 5123: "H", 5125: "I", 5126: "f"}
+GLTF_SIZES = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+
+
+def as_glb(attributes, primitives, image, extra):
+    """attributes: tuples of semantic, component type, type, rows. primitives: lists of vertices; each has its material."""
+    data, views, accessors = b"", [], []
+
+    def view(content):
+        nonlocal data
+        data += b"\0" * (-len(data) % 4)
+        views.append({"buffer": 0, "byteOffset": len(data), "byteLength": len(content)})
+        data += content
+        return len(views) - 1
+
+    def accessor(component, kind, rows, **more):
+        content = struct.pack("<%d%s" % (len(rows) * GLTF_SIZES[kind], GLTF_TYPES[component]), *(x for row in rows for x in row))
+        accessors.append({"bufferView": view(content), "componentType": component, "type": kind, "count": len(rows), **more})
+        return len(accessors) - 1
+
+    of_vertices = {semantic: accessor(component, kind, rows, **({"normalized": True} if component == 5121 else {}))
+                   for semantic, component, kind, rows in attributes}
+    parts = [{"attributes": of_vertices, "indices": accessor(5125, "SCALAR", [(v,) for v in vertices]), "material": n}
+             for n, vertices in enumerate(primitives)]
+    head = json.dumps({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "name": "ball"}],
+                       "meshes": [{"primitives": parts}], "images": [{"bufferView": view(image), "mimeType": "image/png"}],
+                       "accessors": accessors, "bufferViews": views, "buffers": [{"byteLength": len(data)}], **extra}).encode()
+    head += b" " * (-len(head) % 4)
+    data += b"\0" * (-len(data) % 4)
+    return (b"glTF" + struct.pack("<IIII", 2, 28 + len(head) + len(data), len(head), 0x4E4F534A) + head
+            + struct.pack("<II", len(data), 0x004E4942) + data)
+
+
+def read_glb(name):
+    """Returns the parts of the file, the bytes of its image, and for each primitive its material, vertices, and attributes."""
+    data = read(name)
+    assert data[:4] == b"glTF" and struct.unpack_from("<I", data, 8)[0] == len(data), data[:12]
+    size = struct.unpack_from("<I", data, 12)[0]
+    gltf, body = json.loads(data[20:20 + size]), data[28 + size:]
+
+    def rows(index):
+        a = gltf["accessors"][index]
+        v = gltf["bufferViews"][a["bufferView"]]
+        row = "<%d%s" % (GLTF_SIZES[a["type"]], GLTF_TYPES[a["componentType"]])
+        stride = v.get("byteStride", struct.calcsize(row))
+        return [struct.unpack_from(row, body, v.get("byteOffset", 0) + n * stride) for n in range(a["count"])]
+
+    v = gltf["bufferViews"][gltf["images"][0]["bufferView"]]
+    image = body[v.get("byteOffset", 0):][:v["byteLength"]]
+    return gltf, image, [(p["material"], [v for v, in rows(p["indices"])], {s: rows(a) for s, a in p["attributes"].items()})
+                         for m in gltf["meshes"] for p in m["primitives"]]

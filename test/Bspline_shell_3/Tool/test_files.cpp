@@ -141,6 +141,74 @@ TEST_CASE("OBJ: corners, colors, materials, groups, and smoothing groups survive
   }
 }
 
+TEST_CASE("OBJ: names of texture files may have spaces and follow options")
+{
+  const Temporary_file library("side.mtl",
+                               "newmtl red paint\nmap_Kd -o 0.5 1 -mm 0 2 -clamp on old oak.png \nbump rough.png\n"
+                               "map_Bump -bm 0.2 /textures/my bumps.png\nKd 1 0 0\n");
+  const Model model = model_of("side.obj", cube_side);
+  CHECK(write_model(model, "side_2.obj").files[1].second == model.materials);
+  CHECK(write_model(model, "folder/other.obj").files[1].second
+        == "newmtl red paint\nmap_Kd -o 0.5 1 -mm 0 2 -clamp on ../old oak.png \nbump ../rough.png\n"
+           "map_Bump -bm 0.2 /textures/my bumps.png\nKd 1 0 0\n");
+}
+
+TEST_CASE("OBJ: a material library of another model is not replaced")
+{
+  const std::string materials = "newmtl red paint\nnewmtl blue\n";
+  const Temporary_file library("side.mtl", materials);
+  const Model model = model_of("side.obj", cube_side);
+  const auto library_name = [&] { return write_model(model, "result.obj").files[1].first; };
+  CHECK(library_name() == "result.mtl");
+  const Temporary_file other("result.mtl", "newmtl green\n");
+  const Written_files written = write_model(model, "result.obj");
+  CHECK(written.files[1].first == "result_1.mtl");
+  CHECK(written.files[0].second.find("mtllib result_1.mtl\n") != std::string::npos);
+  REQUIRE(written.warnings.size() == 1);
+  CHECK(written.warnings[0].find("result.mtl belongs to another model") != std::string::npos);
+  const Temporary_file first("result_1.mtl", "newmtl yellow\n");
+  CHECK(library_name() == "result_2.mtl");
+  {
+    const Temporary_file earlier("result.obj", "mtllib result_1.mtl\n");
+    CHECK(library_name() == "result_1.mtl");
+  }
+  const Temporary_file same("result_1.mtl", materials);
+  CHECK(library_name() == "result_1.mtl");
+}
+
+TEST_CASE("Texts of labels survive a way through other formats")
+{
+  const Model obj = model_of("side.obj", cube_side);
+  const Model ply = model_of("side.ply", text_of(obj, "side.ply"));
+  CHECK(text_of(ply, "again.ply") == text_of(obj, "side.ply"));
+  const Model again = model_of("again.obj", text_of(ply, "again.obj"));
+  for(const char* name : { object_name, group_name, material_name, smoothing_name }) {
+    INFO(name);
+    const Attribute &before = *obj.find(name, Element::POLYGON), &after = *again.find(name, Element::POLYGON);
+    CHECK(after.values == before.values);
+    CHECK(after.names == before.names);
+  }
+
+  const std::string facet =
+    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+  const Model stl = model_of("parts.stl",
+                             "solid one\n" + facet + "endsolid one\nsolid two\n" + facet + "endsolid two\n");
+  const Model groups = model_of("parts.obj", text_of(stl, "parts.obj"));
+  const Attribute& group = *groups.find(group_name, Element::POLYGON);
+  CHECK(group.names[std::size_t(group[0][0])] == "one");
+  CHECK(group.names[std::size_t(group[1][0])] == "two");
+
+  // Numbers without texts become their digits. Other comments remain.
+  const Model numbers = model_of("numbers.ply",
+                                 "ply\nformat ascii 1.0\ncomment label of a scan\ncomment label x 7 seven\n"
+                                 "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                                 "element face 2\nproperty list uchar int vertex_indices\nproperty int material\n"
+                                 "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0\n3 2 1 0 4\n");
+  CHECK(numbers.comments == std::vector<std::string>{ "comment label of a scan", "comment label x 7 seven" });
+  const std::string text = text_of(numbers, "numbers.obj");
+  CHECK(text.find("usemtl 0\nf 1 2 3\nusemtl 4\nf 3 2 1\n") != std::string::npos);
+}
+
 TEST_CASE("OBJ: negative indices, continued lines, comments, and missing parts of corners")
 {
   const Model model = model_of("odd.obj", "v 0 0 0\nv 1 0 \\\n 0 # end\nv 1 1 0\nv 0 1 0\nvn 0 0 1\n"
@@ -210,9 +278,17 @@ TEST_CASE("STL: solids are labels, and binary files keep their header and the va
   CHECK(ply.encoding == "binary_little_endian");
 }
 
-TEST_CASE("Warnings name the attributes that a format cannot hold")
+TEST_CASE("Each attribute is written, or a warning names it")
 {
   const Model model = model_of("square.ply", square);
+  for(const char* name : { "x.ply", "x.obj", "x.off", "x.stl" }) {
+    INFO(name);
+    const Written_files written = write_model(model, name);
+    CHECK(written.attributes.size() + written.warnings.size() == model.attributes.size());
+    for(const std::string& attribute : written.attributes)
+      for(const std::string& warning : written.warnings)
+        CHECK(warning.find('"' + attribute + '"') == std::string::npos);
+  }
   CHECK(write_model(model, "x.ply").warnings.empty());
   CHECK(write_model(model, "x.obj").warnings.size() == 2); // heat, label
   CHECK(write_model(model, "x.off").warnings.size() == 4);

@@ -14,6 +14,7 @@ enum class File_status
   MISSING,
   UNREADABLE,
   UNSUPPORTED,
+  UNSUPPORTED_EXTENSION,
   EMPTY,
   MALFORMED,
   MISSING_POINT,
@@ -28,7 +29,9 @@ inline const char* message(File_status status)
     case File_status::SUCCESS: return "The file is complete.";
     case File_status::MISSING: return "The file does not exist.";
     case File_status::UNREADABLE: return "The file cannot be read: it is a folder, or permission is denied.";
-    case File_status::UNSUPPORTED: return "The file format is not supported: use PLY, OBJ, OFF, or STL.";
+    case File_status::UNSUPPORTED: return "The file format is not supported: use PLY, OBJ, OFF, STL, glTF, or GLB.";
+    case File_status::UNSUPPORTED_EXTENSION:
+      return "The file requires an extension of glTF that is not supported: export it without compression.";
     case File_status::EMPTY: return "The file is empty.";
     case File_status::MALFORMED: return "The contents do not conform to the file format.";
     case File_status::MISSING_POINT: return "A polygon refers to a point that is not in the file.";

@@ -5,8 +5,13 @@
 #include <CGAL/Bspline_shell_3/Mesh/Polygon_soup.h>
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
+
+namespace tinygltf {
+class Model;
+}
 
 namespace Tool {
 
@@ -69,11 +74,14 @@ struct Model
   std::vector<Attribute> attributes; // have the order of the file
   std::vector<std::string> comments; // lines, with the word with which the format begins them
   std::string materials;             // text of the material libraries of an OBJ file
-  std::string folder;                // folder of the file; texture files are relative to it
-  std::vector<std::string> files;    // the file and its material libraries
-  std::string encoding;              // name of the encoding; empty if the format has only one
+  // materials, textures, and images of a glTF file; null for other formats
+  std::shared_ptr<const tinygltf::Model> assets;
+  std::string folder;             // folder of the file; texture files are relative to it
+  std::vector<std::string> files; // the file and its material libraries
+  std::string encoding;           // name of the encoding; empty if the format has only one
   Number_type coordinates = Number_type::FLOAT64;
 
+  bool has_materials() const { return !materials.empty() || assets != nullptr; }
   // Returns the number of the first corner of each polygon, and then the number of all corners.
   std::vector<std::size_t> first_corners() const
   {

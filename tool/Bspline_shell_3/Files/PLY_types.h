@@ -42,6 +42,9 @@ constexpr std::array<PLY_group, 6> PLY_groups = { {
   { texture_name, Kind::REAL, { "texture_u", "texture_v", "", "" } },
 } };
 
+// Comments with the texts of labels: this, a property, a label, and its text.
+constexpr const char* PLY_label = "comment label ";
+
 // list of polygons with two coordinates for each corner
 constexpr const char* PLY_corner_texture = "texcoord";
 

@@ -9,8 +9,11 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace Tool {
 
@@ -167,6 +170,36 @@ std::vector<Place> make_attributes(const Section& section, Element element, Mode
   return places;
 }
 
+// Gives the texts in comments to attributes of labels. These comments are written from the attributes.
+void read_labels(Model& model)
+{
+  std::map<std::string, std::vector<std::string> > texts; // by property
+  std::vector<std::string> others;
+  for(const std::string& comment : model.comments) {
+    Lines lines(comment);
+    long label = 0;
+    const bool is_label = comment.compare(0, std::strlen(PLY_label), PLY_label) == 0 && lines.next()
+                          && lines.words.size() > 3 && read_integer(lines.words[3], label);
+    const auto is_property = [&](const Attribute& a) {
+      return a.kind == Kind::LABEL && a.components[0] == lines.words[2];
+    };
+    if(is_label && std::any_of(model.attributes.begin(), model.attributes.end(), is_property)) {
+      std::vector<std::string>& known = texts[std::string(lines.words[2])];
+      if(label == long(known.size())) {
+        known.emplace_back(lines.words.size() > 4 ? comment.substr(std::size_t(lines.words[4].data() - comment.data()))
+                                                  : "");
+        continue;
+      }
+    }
+    others.push_back(comment);
+  }
+  for(Attribute& a : model.attributes) {
+    const auto found = texts.find(a.components[0]);
+    if(found != texts.end() && a.kind == Kind::LABEL) a.names = found->second;
+  }
+  model.comments = std::move(others);
+}
+
 class Reader
 {
 public:
@@ -271,6 +304,7 @@ File_report read_PLY(std::string_view text, Model& model)
                       + std::size_t(std::count(text.begin(), text.begin() + std::ptrdiff_t(numbers.position()), '\n'));
       return report;
     }
+  read_labels(model);
   report.status = File_status::SUCCESS;
   return report;
 }

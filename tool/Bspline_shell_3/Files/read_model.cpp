@@ -31,11 +31,12 @@ File_report read_model(const std::string& file, Model& model)
 {
   File_report report;
   const std::string extension = extension_of(file);
-  File_report (*const read)(std::string_view, Model&) = extension == ".ply"   ? read_PLY
-                                                        : extension == ".obj" ? read_OBJ
-                                                        : extension == ".off" ? read_OFF
-                                                        : extension == ".stl" ? read_STL
-                                                                              : nullptr;
+  File_report (*const read)(std::string_view, Model&) = extension == ".ply"                           ? read_PLY
+                                                        : extension == ".obj"                         ? read_OBJ
+                                                        : extension == ".off"                         ? read_OFF
+                                                        : extension == ".stl"                         ? read_STL
+                                                        : extension == ".gltf" || extension == ".glb" ? read_GLTF
+                                                                                                      : nullptr;
   std::string text;
   report.status = read_text(file, text);
   if(report.status == File_status::MISSING || report.status == File_status::UNREADABLE) return report;

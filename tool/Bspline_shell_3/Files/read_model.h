@@ -18,6 +18,7 @@ File_report read_PLY(std::string_view text, Model& model);
 File_report read_OBJ(std::string_view text, Model& model); // also reads material libraries in `model.folder`
 File_report read_OFF(std::string_view text, Model& model);
 File_report read_STL(std::string_view text, Model& model);
+File_report read_GLTF(std::string_view text, Model& model); // also reads buffers in `model.folder`
 
 // Returns the extension of a file name in lower case, with the dot.
 std::string extension_of(const std::string& file);

@@ -1,4 +1,7 @@
+#include "GLTF_assets.h"
+#include "MTL.h"
 #include "Words.h"
+#include "name_beside.h"
 #include "numbers.h"
 #include "write_model.h"
 
@@ -48,28 +51,6 @@ private:
   std::map<std::vector<double>, std::size_t> m_index;
 };
 
-// Returns the text of material libraries with names of texture files that are relative to another folder.
-std::string moved_materials(const std::string& text, const std::string& from, const std::string& to)
-{
-  namespace fs = std::filesystem;
-  const auto absolute = [](const std::string& folder) { return fs::absolute(folder.empty() ? "." : folder); };
-  if(absolute(from).lexically_normal() == absolute(to).lexically_normal()) return text;
-  std::string moved;
-  Lines lines(text);
-  while(lines.next()) {
-    const std::string_view keyword = lines.words[0];
-    const bool is_texture = keyword.substr(0, 4) == "map_" || keyword == "bump" || keyword == "disp"
-                            || keyword == "decal" || keyword == "norm" || keyword == "refl";
-    const fs::path name(lines.words.back());
-    if(is_texture && lines.words.size() > 1 && name.is_relative()) {
-      moved += lines.line.substr(0, std::size_t(lines.words.back().data() - lines.line.data()));
-      moved += (absolute(from) / name).lexically_normal().lexically_relative(absolute(to).lexically_normal()).string();
-    } else moved += lines.line;
-    moved += '\n';
-  }
-  return moved;
-}
-
 // A line for each state of polygons that the format has, in the order in which it is written.
 const std::array<std::pair<const char*, const char*>, 4> states = {
   { { object_name, "o" }, { group_name, "g" }, { material_name, "usemtl" }, { smoothing_name, "s" } }
@@ -90,8 +71,10 @@ void write_OBJ(const Model& model, const std::string& file, Written_files& writt
     } else if(a.kind == Kind::NORMAL) place = &normals;
     else if(a.name == texture_name && a.kind == Kind::REAL) place = &texture;
     else if(a.kind == Kind::COLOR && a.element == Element::POINT && a.dimension() >= 3) place = &colors;
-    if(place != nullptr && *place == nullptr) *place = &a;
-    else written.warnings.push_back("The attribute \"" + a.name + "\" is left out: an OBJ file cannot hold it.");
+    if(place != nullptr && *place == nullptr) {
+      *place = &a;
+      written.hold(a);
+    } else written.leave_out(a, "an OBJ file");
   }
   if(colors != nullptr && colors->dimension() > 3)
     written.warnings.push_back("Opacities of points are left out: an OBJ file cannot hold them.");
@@ -100,11 +83,19 @@ void write_OBJ(const Model& model, const std::string& file, Written_files& writt
   for(const std::string& comment : model.comments)
     if(comment.front() == '#') text += comment + "\n";
   const std::filesystem::path path(file);
-  if(!model.materials.empty()) {
-    const std::string library = path.stem().string() + ".mtl";
+  if(model.has_materials()) {
+    const std::string usual = path.stem().string() + ".mtl";
+    std::string materials = model.assets != nullptr
+                              ? MTL_of_assets(*model.assets, model.folder, file, written)
+                              : moved_materials(model.materials, model.folder, path.parent_path().string());
+    if(model.assets != nullptr)
+      written.warnings.push_back("Of materials, an OBJ file holds only names, colors, opacities, and color textures.");
+    const std::string library = name_beside(file, ".mtl", materials);
+    if(library != usual)
+      written.warnings.push_back("The material library is " + library + ", because " + usual
+                                 + " belongs to another model.");
     text += "mtllib " + library + "\n";
-    written.files.emplace_back((path.parent_path() / library).string(),
-                               moved_materials(model.materials, model.folder, path.parent_path().string()));
+    written.files.emplace_back((path.parent_path() / library).string(), std::move(materials));
   }
   for(std::size_t n = 0; n < model.soup.points.size(); ++n) {
     text += "v";
@@ -124,21 +115,25 @@ void write_OBJ(const Model& model, const std::string& file, Written_files& writt
   std::vector<std::size_t> order(model.soup.polygons.size());
   std::iota(order.begin(), order.end(), 0);
   const auto label = [&](std::size_t s, std::size_t n) { return labels[s] != nullptr ? (*labels[s])[n][0] : 0; };
+  const auto text_of = [&](std::size_t s, std::size_t n) {
+    if(labels[s] == nullptr) return std::string();
+    const auto& names = labels[s]->names;
+    const std::size_t at = std::size_t(label(s, n));
+    return at < names.size() ? names[at] : std::to_string(long(label(s, n)));
+  };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t n, std::size_t m) {
     for(std::size_t s = 0; s < states.size(); ++s)
       if(label(s, n) != label(s, m)) return label(s, n) < label(s, m);
     return false;
   });
   Indexed_values texture_values("vt", texture), normal_values("vn", normals);
-  std::array<double, 4> current = {};
+  std::array<std::string, 4> current; // The states of a file begin with empty texts.
   for(std::size_t n : order) {
     for(std::size_t s = 0; s < states.size(); ++s) {
-      if(label(s, n) == current[s]) continue;
-      current[s] = label(s, n);
-      const auto& names = labels[s]->names;
-      const std::size_t at = std::size_t(current[s]);
-      text += std::string(states[s].second) + " " + (at < names.size() ? names[at] : std::to_string(long(current[s])));
-      text += '\n';
+      const std::string state = text_of(s, n);
+      if(state == current[s]) continue;
+      text += std::string(states[s].second) + " " + state + "\n";
+      current[s] = state;
     }
     std::string line = "f";
     for(std::size_t i = 0; i < model.soup.polygons[n].size(); ++i) {

@@ -36,11 +36,12 @@ void write_OFF(const Model& model, const std::string& file, Written_files& writt
                               : is_of_points && a.name == texture_name && a.dimension() == 2 ? &texture
                               : a.element == Element::POLYGON && is_color                    ? &polygon_colors
                                                                                              : nullptr;
-    if(place != nullptr && *place == nullptr) *place = &a;
-    else written.warnings.push_back("The attribute \"" + a.name + "\" is left out: an OFF file cannot hold it.");
+    if(place != nullptr && *place == nullptr) {
+      *place = &a;
+      written.hold(a);
+    } else written.leave_out(a, "an OFF file");
   }
-  if(!model.materials.empty())
-    written.warnings.push_back("The material library is left out: an OFF file cannot hold it.");
+  if(model.has_materials()) written.warnings.push_back("The material library is left out: an OFF file cannot hold it.");
 
   std::string text = texture != nullptr ? "ST" : "";
   if(colors != nullptr) text += "C";

@@ -81,23 +81,27 @@ void write_PLY(const Model& model, const std::string& file, Written_files& writt
   for(const Attribute& a : model.attributes) {
     if(a.element == Element::POINT) of_points.push_back(&a);
     else if(a.element == Element::POLYGON) of_polygons.push_back(&a);
-    else if(is_texture(a)) corners = &a;
-    else
+    else if(is_texture(a) && corners == nullptr) corners = &a;
+    else {
       written.warnings.push_back("The attribute \"" + a.name
                                  + "\" is left out: a PLY file cannot hold values of corners, except for texture "
                                    "coordinates.");
+      continue;
+    }
+    written.hold(a);
   }
-  if(!model.materials.empty())
-    written.warnings.push_back("The material library is left out: a PLY file cannot hold it.");
+  if(model.has_materials()) written.warnings.push_back("The material library is left out: a PLY file cannot hold it.");
 
+  const auto properties = [&](const Attribute& a) { return is_of_format ? a.components : property_names(a); };
   if(is_of_format)
     for(const std::string& comment : model.comments) text += comment + "\n";
   for(const Attribute& a : model.attributes)
     for(std::size_t n = 0; n < a.names.size(); ++n)
-      text += "comment " + a.name + " " + std::to_string(n) + " " + a.names[n] + "\n";
+      text += std::string(PLY_label) + properties(a)[0] + " " + std::to_string(n)
+              + (a.names[n].empty() ? "" : " " + a.names[n]) + "\n";
   const auto declare = [&](const Attribute& a) {
-    const std::vector<std::string> names = is_of_format ? a.components : property_names(a);
-    for(const std::string& name : names) text += std::string("property ") + PLY_name(a.type) + " " + name + "\n";
+    for(const std::string& name : properties(a))
+      text += std::string("property ") + PLY_name(a.type) + " " + name + "\n";
   };
   const bool are_floats = model.coordinates == Number_type::FLOAT32
                           && std::all_of(model.soup.points.begin(), model.soup.points.end(), [](const auto& p) {

@@ -94,12 +94,12 @@ void write_STL(const Model& model, const std::string& file, Written_files& writt
   for(const Attribute& a : model.attributes) {
     const bool is_label = a.element == Element::POLYGON && a.kind == Kind::LABEL;
     const bool is_held = is_label && (is_binary ? a.name == facet_attribute_name : !a.names.empty());
-    if(is_held && kept == nullptr) kept = &a;
-    else if(a.kind != Kind::NORMAL)
-      written.warnings.push_back("The attribute \"" + a.name + "\" is left out: this STL file cannot hold it.");
+    if(is_held && kept == nullptr) {
+      kept = &a;
+      written.hold(a);
+    } else if(a.kind != Kind::NORMAL) written.leave_out(a, is_binary ? "a binary STL file" : "an STL file of text");
   }
-  if(!model.materials.empty())
-    written.warnings.push_back("The material library is left out: an STL file cannot hold it.");
+  if(model.has_materials()) written.warnings.push_back("The material library is left out: an STL file cannot hold it.");
   if(!are_floats && model.encoding == "binary")
     written.warnings.push_back("The file is written as text, because its coordinates have more digits than binary STL "
                                "files can hold.");

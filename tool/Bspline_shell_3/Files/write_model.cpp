@@ -10,11 +10,12 @@ typedef void (*Writer)(const Model&, const std::string&, Written_files&);
 Writer writer_of(const std::string& file)
 {
   const std::string extension = extension_of(file);
-  return extension == ".ply"   ? write_PLY
-         : extension == ".obj" ? write_OBJ
-         : extension == ".off" ? write_OFF
-         : extension == ".stl" ? write_STL
-                               : Writer();
+  return extension == ".ply"                           ? write_PLY
+         : extension == ".obj"                         ? write_OBJ
+         : extension == ".off"                         ? write_OFF
+         : extension == ".stl"                         ? write_STL
+         : extension == ".gltf" || extension == ".glb" ? write_GLTF
+                                                       : Writer();
 }
 
 } // namespace
@@ -22,6 +23,11 @@ Writer writer_of(const std::string& file)
 bool is_supported(const std::string& file)
 {
   return writer_of(file) != nullptr;
+}
+
+bool has_single_precision(const std::string& file)
+{
+  return writer_of(file) == write_GLTF;
 }
 
 Written_files write_model(const Model& model, const std::string& file)

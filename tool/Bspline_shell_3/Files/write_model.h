@@ -16,11 +16,22 @@ namespace Tool {
 struct Written_files
 {
   std::vector<std::pair<std::string, std::string> > files;
-  std::vector<std::string> warnings; // sentences about data that the format cannot hold
+  std::vector<std::string> attributes; // names of the attributes that the files hold
+  std::vector<std::string> warnings;   // sentences about data that the format cannot hold
+
+  void hold(const Attribute& a) { attributes.push_back(a.name); }
+  // \param format with its article
+  void leave_out(const Attribute& a, const std::string& format)
+  {
+    warnings.push_back("The attribute \"" + a.name + "\" is left out: " + format + " cannot hold it.");
+  }
 };
 
 // Returns whether models can be written to files with this name.
 bool is_supported(const std::string& file);
+
+// Returns whether all coordinates in a file with this name have single precision.
+bool has_single_precision(const std::string& file);
 
 // Returns the contents of a file, whose extension selects the format.
 // \pre `is_supported(file)`
@@ -31,6 +42,7 @@ void write_PLY(const Model& model, const std::string& file, Written_files& writt
 void write_OBJ(const Model& model, const std::string& file, Written_files& written);
 void write_OFF(const Model& model, const std::string& file, Written_files& written);
 void write_STL(const Model& model, const std::string& file, Written_files& written);
+void write_GLTF(const Model& model, const std::string& file, Written_files& written); // GLB for the extension .glb
 
 } // namespace Tool
 

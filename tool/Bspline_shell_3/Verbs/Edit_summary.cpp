@@ -3,6 +3,8 @@
 #include "Outcome.h"
 #include "number.h"
 
+#include "../Files/write_model.h"
+
 #include <CGAL/Bspline_shell_3/Soup/provenance.h>
 
 #include <iomanip>
@@ -41,6 +43,7 @@ Json json_of(const Edit_summary& summary, const Model& model, const BS::Shell_of
     .add("polygons", changes(model, found))
     .add("attributes", summary.attributes)
     .add("warnings", summary.warnings)
+    .add("is_rounded", summary.is_rounded)
     .add("removed_border_edges", summary.removed_border_edges)
     .add("facets_across_seams", summary.carried.facets_across_seams)
     .add("points_without_image", summary.carried.points_without_image)
@@ -57,7 +60,9 @@ void print(const Edit_summary& summary, const Model& model, const BS::Shell_of_s
   const double distance = summary.distances.largest();
   const std::size_t polygons = model.soup.polygons.size();
   line("facets") << summary.facets << " of " << summary.facets_before
-                 << (polygons == summary.facets_before ? "" : " (" + std::to_string(polygons) + " polygons)")
+                 << (polygons == summary.facets_before
+                       ? ""
+                       : " triangles, into which the " + std::to_string(polygons) + " polygons of the file are split")
                  << (summary.reaches_target ? "" : ": the requested number is not reached") << "\n";
   line("distance") << "at most " << number(distance) << " between any point of one surface and the other ("
                    << percent(distance / longest_side(model)) << " of the box)\n";
@@ -78,7 +83,9 @@ void print(const Edit_summary& summary, const Model& model, const BS::Shell_of_s
   if(summary.carried.points_without_image > 0)
     line("") << summary.carried.points_without_image << " points have the values of the nearest points\n";
   for(const auto& [title, text] : lines) line(title) << text << "\n";
-  if(model.coordinates == Number_type::FLOAT32 && !summary.is_rounded)
+  if(!summary.is_rounded && has_single_precision(summary.output))
+    line("coordinates") << "are rounded to float in the file, for which nothing is proved: use another format\n";
+  else if(!summary.is_rounded && model.coordinates == Number_type::FLOAT32)
     line("coordinates") << "are of type double, because rounding to float would invalidate the proof\n";
   line("limit") << summary.limit << std::endl;
 }

@@ -98,8 +98,7 @@ Remeshed remesh_in_shell(const Model& model, const BS::Shell_of_soup_3& found, c
   result.end = report.end;
   result.closing = report.closing;
   mesh.collect_garbage();
-  result.is_rounded = model.coordinates == Number_type::FLOAT32
-                      && round_coordinates(mesh, found.shell(), result.closing);
+  result.is_rounded = target.rounds_coordinates && round_coordinates(mesh, found.shell(), result.closing);
   if(found.excised) {
     result.rejoined = BS::rejoin_excised(*found.excised, mesh);
     if(!result.rejoined) return fail(message(result.rejoined.verdict.status));

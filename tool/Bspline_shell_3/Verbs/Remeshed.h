@@ -22,9 +22,10 @@ namespace Tool {
 
 struct Remesh_target
 {
-  double thickness = 0; // of the shell
-  double edge = 0;      // length of edges
-  double feature = 0;   // in degrees; edges with a larger angle between the normals of their facets are kept
+  double thickness = 0;            // of the shell
+  double edge = 0;                 // length of edges
+  double feature = 0;              // in degrees; edges with a larger angle between the normals of their facets are kept
+  bool rounds_coordinates = false; // to floats, if the result remains certified
 };
 
 // A mesh that replaces the mesh of a shell, and is certified in it.

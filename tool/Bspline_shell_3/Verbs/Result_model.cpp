@@ -16,8 +16,14 @@ Outcome check_output(const std::string& output, const std::vector<std::string>& 
   return DONE;
 }
 
+bool rounds_coordinates(const Model& input, const std::string& output)
+{
+  return input.coordinates == Number_type::FLOAT32 || has_single_precision(output);
+}
+
 Outcome write_result(const Model& model, const std::string& output, const std::vector<const Model*>& inputs,
-                     const Contents& other_files, std::vector<std::string>& warnings)
+                     const Contents& other_files, std::vector<std::string>& attributes,
+                     std::vector<std::string>& warnings)
 {
   Written_files written = write_model(model, output);
   written.files.insert(written.files.end(), other_files.begin(), other_files.end());
@@ -28,6 +34,7 @@ Outcome write_result(const Model& model, const std::string& output, const std::v
           return { WRONG_USAGE, file.first, "The result would replace a part of the input: choose another name." };
   const std::string failed = write_files(written.files);
   if(!failed.empty()) return { CANNOT_WRITE, failed, message(File_status::CANNOT_WRITE) };
+  attributes.insert(attributes.end(), written.attributes.begin(), written.attributes.end());
   warnings.insert(warnings.end(), written.warnings.begin(), written.warnings.end());
   for(const std::string& warning : warnings) std::cerr << output << ": " << warning << "\n";
   return DONE;

@@ -15,10 +15,15 @@ namespace Tool {
 // Returns whether a model can be written to a file with this name without replacing an input.
 Outcome check_output(const std::string& output, const std::vector<std::string>& inputs);
 
-// Writes a model together with other files, and appends warnings about data that the format cannot hold, which it
-// prints to the error stream. Nothing is written if this would replace the files of another model.
+// Returns whether the file of the result has coordinates of single precision, if the result allows it.
+bool rounds_coordinates(const Model& input, const std::string& output);
+
+// Writes a model together with other files. Appends the names of attributes in the file, and warnings about data that
+// the format cannot hold, which it prints to the error stream. Nothing is written if this would replace the files of
+// another model.
 Outcome write_result(const Model& model, const std::string& output, const std::vector<const Model*>& inputs,
-                     const Contents& other_files, std::vector<std::string>& warnings);
+                     const Contents& other_files, std::vector<std::string>& attributes,
+                     std::vector<std::string>& warnings);
 
 } // namespace Tool
 

@@ -1,9 +1,11 @@
 #include "Simplified.h"
 #include "Outcome.h"
+#include "Pin_filter.h"
 #include "finish_edit.h"
 
 #include "../Carry/Corner_groups.h"
 
+#include <CGAL/Bspline_shell_3/Editing/Line_filter.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 
 #include <algorithm>
@@ -14,11 +16,12 @@ namespace Tool {
 
 namespace {
 
+typedef Mesh::Property_map<Mesh::Edge_index, bool> Edge_marks;
+
 // Marks the lines of a mesh, and returns their number of edges.
-std::size_t mark_lines(const Model& model, Mesh& mesh, Edge_marks marks)
+std::size_t mark_lines(const std::vector<char>& lines, Mesh& mesh, Edge_marks marks)
 {
   std::size_t number = 0;
-  const std::vector<char> lines = find_lines(model, mesh, Mesh_origins(model, mesh));
   for(auto e : mesh.edges())
     if(lines[e]) {
       marks[e] = true;
@@ -56,7 +59,7 @@ BS::Simplification_result<Mesh> simplify_mesh(Mesh& mesh, Edge_marks lines, bool
   const auto simplify = [&](const auto& stop) {
     const auto np = BS::parameters::stop(stop).border_tolerance(target.border_tolerance);
     if(!needs_filter) return BS::simplify_in_shell(mesh, found.shell(), np);
-    const Line_filter filter(mesh, lines, target.line_tolerance, found.excised.get(), target.pins);
+    const BS::Line_filter filter(mesh, lines, target.line_tolerance, Pin_filter(found.excised.get(), target.pins));
     return BS::simplify_in_shell(
       mesh, found.shell(), np.filter(std::cref(filter)).edge_is_constrained_map(lines).protect_constraints(false));
   };
@@ -86,7 +89,10 @@ Simplified simplify_in_shell(const Model& model, const std::shared_ptr<const BS:
   result.facets_before = found->mesh().number_of_faces() + excised;
   const std::size_t facets = target.facets == 0 ? 0 : target.facets <= excised ? 1 : target.facets - excised;
   auto lines = result.mesh.add_property_map<Mesh::Edge_index, bool>("e:is_line", false).first;
-  if(!found->proxy) result.lines = mark_lines(model, result.mesh, lines);
+  std::vector<char> is_line;
+  if(!found->proxy) is_line = find_lines(model, found->mesh(), Mesh_origins(model, found->mesh()));
+  const bool cuts_lines = target.cuts_lines && !found->proxy;
+  if(!found->proxy && !cuts_lines) result.lines = mark_lines(is_line, result.mesh, lines);
   result.keeps_lines = target.keeps_lines || result.lines == 0;
   if(!result.keeps_lines)
     for(auto e : result.mesh.edges()) lines[e] = false;
@@ -104,8 +110,11 @@ Simplified simplify_in_shell(const Model& model, const std::shared_ptr<const BS:
   result.closing = simplified.closing;
   result.removed_border_edges = simplified.removed_border_edges;
   result.mesh.collect_garbage();
-  result.is_rounded = model.coordinates == Number_type::FLOAT32
-                      && round_coordinates(result.mesh, found->shell(), result.closing);
+  if(cuts_lines) {
+    result.cut = cut_lines(*found, is_line, result.mesh, result.closing);
+    result.lines = result.cut->cut.cut_edges;
+  }
+  result.is_rounded = target.rounds_coordinates && round_coordinates(result.mesh, found->shell(), result.closing);
   if(found->excised) {
     result.rejoined = BS::rejoin_excised(*found->excised, result.mesh);
     if(!result.rejoined) {

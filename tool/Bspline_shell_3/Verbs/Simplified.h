@@ -2,9 +2,9 @@
 #ifndef TOOL_VERBS_SIMPLIFIED_H
 #define TOOL_VERBS_SIMPLIFIED_H
 
-#include "Line_filter.h"
 #include "Progress.h"
 #include "Time_limit.h"
+#include "cut_lines.h"
 #include "distance_bound.h"
 
 #include "../Carry/Mesh_origins.h"
@@ -17,6 +17,8 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 
 namespace Tool {
@@ -36,10 +38,12 @@ struct Simplify_target
 {
   std::size_t facets = 0; // 0 for as few as possible
   bool keeps_lines = true;
+  bool cuts_lines = false;                                            // instead of keeping their edges
+  bool rounds_coordinates = false;                                    // to floats, if the result remains certified
   double line_tolerance = 0;                                          // distance of lines
   double border_tolerance = 0;                                        // distance of borders; they are kept if it is 0
   double surface_tolerance = std::numeric_limits<double>::infinity(); // distance of surfaces
-  Line_filter::Points pins;                                           // vertices that are kept
+  std::set<Mesh::Point> pins;                                         // vertices that are kept
 };
 
 // A mesh that replaces the mesh of a shell, and is certified in it.
@@ -53,12 +57,13 @@ struct Simplified
   Limit limit = Limit::MESH;
   std::size_t facets_before = 0, facets = 0; // numbers for the whole surface
   std::size_t removed_border_edges = 0;
-  std::size_t lines = 0;     // edges on lines before the simplification
-  bool keeps_lines = true;   // whether lines were kept together
-  bool is_rounded = false;   // whether coordinates are those of a file of floats
-  std::size_t pins = 0;      // vertices that were kept because of the tolerance
-  double thickness = 0;      // requested thickness of the shell
-  Distance_bounds distances; // between the model and the result
+  std::size_t lines = 0;        // edges on lines before the simplification, or at which facets were cut
+  bool keeps_lines = true;      // whether lines were kept together
+  std::optional<Cut_lines> cut; // if the mesh was to be cut along lines
+  bool is_rounded = false;      // whether coordinates are those of a file of floats
+  std::size_t pins = 0;         // vertices that were kept because of the tolerance
+  double thickness = 0;         // requested thickness of the shell
+  Distance_bounds distances;    // between the model and the result
 
   explicit operator bool() const { return message.empty(); }
 };

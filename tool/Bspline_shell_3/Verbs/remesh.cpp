@@ -41,7 +41,8 @@ Outcome remesh(const Remesh_options& options, bool writes_json)
   const Time_limit time(options.seconds);
   Progress progress;
   const double unit = longest_side(model);
-  const Remesh_target target{ thickness_of(options, unit), options.edge->in_box(unit), options.feature };
+  const Remesh_target target{ thickness_of(options, unit), options.edge->in_box(unit), options.feature,
+                              rounds_coordinates(model, options.output) };
   BS::Shell_of_soup_3 found;
   if(const Outcome shell = find_shell(model, options, target.thickness, time.left(), progress, found); !shell)
     return shell;
@@ -53,9 +54,9 @@ Outcome remesh(const Remesh_options& options, bool writes_json)
                                         summary.carried,
                                         [&](double fraction) { progress.show("attributes", fraction); });
   progress.clear();
-  if(const Outcome written = write_result(output, options.output, { &model }, {}, summary.warnings); !written)
+  if(const Outcome written = write_result(output, options.output, { &model }, {}, summary.attributes, summary.warnings);
+     !written)
     return written;
-  for(const Attribute& a : output.attributes) summary.attributes.push_back(a.name);
   summary.limit = message_of_end(result);
   summary.seconds = time.seconds();
   if(writes_json) {

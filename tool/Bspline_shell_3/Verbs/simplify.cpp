@@ -62,20 +62,28 @@ Outcome simplify(const Simplify_options& options, bool writes_json)
                                         summary.carried,
                                         [&](double fraction) { progress.show("attributes", fraction); });
   progress.clear();
-  if(const Outcome written = write_result(output, options.output, { &model }, {}, summary.warnings); !written)
+  if(const Outcome written = write_result(output, options.output, { &model }, {}, summary.attributes, summary.warnings);
+     !written)
     return written;
-  for(const Attribute& a : output.attributes) summary.attributes.push_back(a.name);
   summary.reaches_target = (options.facets == 0 && options.ratio == 0) || result.limit == Limit::FACETS;
   summary.removed_border_edges = result.removed_border_edges;
   summary.limit = message_of_limit(result);
   summary.seconds = time.seconds();
   if(writes_json) {
     Json json = json_of(summary, model, found);
-    json.add("edges_on_lines", result.lines).add("keeps_lines", result.keeps_lines);
+    json.add("edges_on_lines", result.lines)
+      .add("keeps_lines", result.keeps_lines)
+      .add("cuts_lines", result.cut && result.cut->cut);
     std::cout << json.text() << std::endl;
     return DONE;
   }
   std::vector<std::pair<std::string, std::string> > lines;
+  if(result.cut && result.cut->cut)
+    lines.emplace_back(
+      "lines",
+      std::to_string(result.lines) + " edges, along which facets were cut"
+        + (result.cut->gaps > 0 ? "; " + std::to_string(result.cut->gaps) + " parts of lines have no image" : ""));
+  else if(result.cut) lines.emplace_back("lines", "were not cut. " + with_options(message(result.cut->cut.status)));
   if(!result.keeps_lines)
     lines.emplace_back("lines", "were not kept, because the requested number of facets needs them");
   if(result.removed_border_edges > 0)

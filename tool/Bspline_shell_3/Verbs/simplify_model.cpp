@@ -1,5 +1,6 @@
 #include "simplify_model.h"
 #include "Input.h"
+#include "Result_model.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,8 @@ public:
   {
     m_target.facets = options.facets > 0 ? options.facets
                                          : std::size_t(std::ceil(options.ratio * double(triangles(model))));
+    m_target.cuts_lines = options.cuts_lines;
+    m_target.rounds_coordinates = rounds_coordinates(model, options.output);
     if(options.border) m_target.border_tolerance = options.border->in_box(m_side);
     if(options.tolerance) m_target.surface_tolerance = options.tolerance->in_box(m_side);
   }
@@ -62,7 +65,7 @@ public:
       thickness = next;
     }
     if(!m_best) return failure;
-    if(misses_target(*m_best) && m_best->keeps_lines && m_best->lines > 0) {
+    if(misses_target(*m_best) && m_best->keeps_lines && m_best->lines > 0 && !m_options.cuts_lines) {
       m_target.keeps_lines = false;
       Simplified without_lines = simplify(m_best->found, m_best->thickness);
       if(keeps_tolerance(without_lines) && !misses_target(without_lines)) m_best = std::move(without_lines);
@@ -94,7 +97,7 @@ private:
   {
     return result && result.distances.largest() <= m_target.surface_tolerance;
   }
-  bool misses_target(const Simplified& result) const { return m_target.facets > 0 && result.facets > m_target.facets; }
+  bool misses_target(const Simplified& result) const { return m_target.facets > 0 && result.limit != Limit::FACETS; }
 
   Simplified simplify(const std::shared_ptr<const BS::Shell_of_soup_3>& found, double thickness)
   {

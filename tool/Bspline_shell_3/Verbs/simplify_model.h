@@ -9,21 +9,25 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 namespace Tool {
 
 struct Edit_options : Shell_options
 {
+  std::string output;
   std::optional<Length> tolerance, border;
   std::size_t facets = 0; // 0 if there is no target
   double ratio = 0;       // 0 if there is no target
+  bool cuts_lines = false;
 };
 
 // Simplifies a model. The shell has the thickness of the options, or a thickness that is found by a few attempts:
 // - With a tolerance, the first shell is as thick. Thicker ones are tried while much of the tolerance is left, and
 //   thinner ones while it is exceeded at many places. At few places, the original facets are kept.
 // - Without a tolerance, thicker shells are tried until the number of facets is reached.
-// Lines are given up if this is necessary and sufficient to reach the number of facets.
+// Lines are cut into the result, or they are kept as edges and given up if this is necessary and sufficient to reach
+// the number of facets.
 Outcome simplify_model(const Model& model, const Edit_options& options, const Time_limit& time, Progress& progress,
                        Simplified& result);
 

@@ -220,9 +220,15 @@ Outcome transfer(const Transfer_options& options, bool writes_json)
 
   Contents images;
   for(const auto& image : baked.images) images.emplace_back(image.first, png_of(image.second));
-  std::vector<std::string> warnings = baked.warnings;
-  if(const Outcome written = write_result(output, options.output, { &from, &to }, images, warnings); !written)
+  std::vector<std::string> written_attributes, warnings = baked.warnings;
+  if(const Outcome written = write_result(output, options.output, { &from, &to }, images, written_attributes, warnings);
+     !written)
     return written;
+  auto& names = transferred.transferred;
+  const auto is_missing = [&](const std::string& name) {
+    return std::find(written_attributes.begin(), written_attributes.end(), name) == written_attributes.end();
+  };
+  names.erase(std::remove_if(names.begin(), names.end(), is_missing), names.end());
   const Mapped_parts& parts = map->parts;
   if(writes_json) {
     const bool has_shell = map->found.certification() != BS::Certification::NONE;

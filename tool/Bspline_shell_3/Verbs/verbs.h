@@ -14,7 +14,6 @@ namespace Tool {
 
 struct Simplify_options : Edit_options
 {
-  std::string output;
   bool carries_normals = false;
 };
 Outcome simplify(const Simplify_options& options, bool writes_json);
