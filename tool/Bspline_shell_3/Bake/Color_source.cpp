@@ -1,6 +1,7 @@
 #include "Color_source.h"
 
 #include "../Carry/texture_comments.h"
+#include "../Files/MTL.h"
 #include "../Files/Words.h"
 #include "../Files/numbers.h"
 
@@ -54,9 +55,8 @@ void Color_source::read_materials(std::vector<std::string>& warnings)
       for(std::size_t i = 0; i < 3; ++i) are_numbers = are_numbers && read_number(words[i + 1], color[i]);
       for(double& x : color) x *= 255;
       if(are_numbers) m_materials.back().color = color;
-    } else if(words[0] == "map_Kd" && words.size() > 1 && m_texture != nullptr)
-      m_materials.back().texture = texture(words[1].front() == '-' ? std::string(words.back()) : lines.rest(),
-                                           warnings);
+    } else if(words[0] == "map_Kd" && m_texture != nullptr && !texture_of(lines).empty())
+      m_materials.back().texture = texture(std::string(texture_of(lines)), warnings);
   }
 }
 

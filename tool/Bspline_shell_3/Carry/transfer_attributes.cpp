@@ -115,6 +115,7 @@ Model transfer_attributes(const Model& from, const Model& to, const Triangulated
   });
   if(choice.includes_textures && from.find(material_name, Element::POLYGON) != nullptr) {
     result.materials = from.materials;
+    result.assets = from.assets;
     result.folder = from.folder;
   }
   const std::vector<std::string> textures = texture_comments(from);

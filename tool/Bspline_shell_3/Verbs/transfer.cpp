@@ -77,6 +77,7 @@ void set_texture(Model& model, const std::string& image, const std::string& outp
   }
   const std::string baked = "baked";
   model.folder = path.parent_path().string();
+  model.assets.reset();
   model.materials = "newmtl " + baked + "\nKd 1 1 1\nmap_Kd " + path.filename().string() + "\n";
   auto& attributes = model.attributes;
   attributes.erase(
