@@ -202,6 +202,8 @@ int simplify(const Simplify_options& options)
     std::cout << "\n";
   } else if(result->cut) {
     std::cout << "lines       were not cut. " << message(result->cut->cut.status) << "\n";
+  } else if(options.cuts_lines) {
+    std::cout << "lines       were not cut, because a proxy was simplified\n";
   }
   if(carried.facets_across_seams > 0)
     std::cout << "seams       " << carried.facets_across_seams << " facets lie across a seam\n";
