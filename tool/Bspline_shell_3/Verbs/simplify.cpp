@@ -84,6 +84,7 @@ Outcome simplify(const Simplify_options& options, bool writes_json)
       std::to_string(result.lines) + " edges, along which facets were cut"
         + (result.cut->gaps > 0 ? "; " + std::to_string(result.cut->gaps) + " parts of lines have no image" : ""));
   else if(result.cut) lines.emplace_back("lines", "were not cut. " + with_options(message(result.cut->cut.status)));
+  else if(options.cuts_lines) lines.emplace_back("lines", "were not cut, because a proxy was simplified");
   if(!result.keeps_lines)
     lines.emplace_back("lines", "were not kept, because the requested number of facets needs them");
   if(result.removed_border_edges > 0)
