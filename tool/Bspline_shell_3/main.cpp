@@ -123,8 +123,11 @@ int main(int argc, char** argv)
 
   Tool::Simplify_options simplify;
   CLI::App* verb = program.add_subcommand("simplify", "Simplify a mesh, and keep its attributes." + lengths);
-  verb->add_option("IN", simplify.input, "The mesh")->required();
-  verb->add_option("-o,--output", simplify.output, "The result; its extension selects the format")->required();
+  verb->add_option("IN", simplify.input, "The mesh; - is the standard input")->required();
+  verb
+    ->add_option("-o,--output", simplify.output,
+                 "The result; its extension selects the format; - is the standard output, in the format of IN")
+    ->required();
   add_length(*verb, "--tolerance", simplify.tolerance,
              "No point of either surface is farther from the other (default: none)");
   auto* facets = verb->add_option("--facets", simplify.facets, "Stop at this number of facets")->check(positive);

@@ -4,7 +4,6 @@
 #include "verbs.h"
 
 #include "../Carry/Mesh_origins.h"
-#include "../Files/read_model.h"
 
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/Local_gap_3.h>
@@ -182,8 +181,7 @@ int check(const Check_options& options)
   constexpr double default_thickness = 0.01;
   const double unit = longest_side(model);
   const double thickness = options.thickness ? options.thickness->in_box(unit) : default_thickness * unit;
-  const std::string format = extension_of(options.input).substr(1) + (model.encoding.empty() ? "" : ", ")
-                             + model.encoding;
+  const std::string format = model.format + (model.encoding.empty() ? "" : ", ") + model.encoding;
   const std::size_t corners = model.first_corners().back();
   const Findings found = examine(model, thickness);
   if(found.kind.empty()) {

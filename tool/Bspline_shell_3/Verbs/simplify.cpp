@@ -164,6 +164,7 @@ int simplify(const Simplify_options& options)
   }
 
   for(const std::string& warning : written.warnings) std::cerr << options.output << ": " << warning << "\n";
+  std::ostream& out = report_stream(options.output);
   const std::string limit = limit_message(options, *result, thickness);
   if(options.writes_json) {
     Json json;
@@ -185,35 +186,34 @@ int simplify(const Simplify_options& options)
       .add("facets_across_seams", carried.facets_across_seams)
       .add("points_without_image", carried.points_without_image)
       .add("seconds", timer.time());
-    std::cout << json.text() << std::endl;
+    out << json.text() << std::endl;
     return DONE;
   }
   const bool is_split = number_of_triangles(model) != model.soup.polygons.size();
-  std::cout << "facets      " << result->facets << " of " << result->facets_before
-            << (is_split ? " triangles, into which the " + std::to_string(model.soup.polygons.size())
-                             + " polygons of the file are split"
-                         : "")
-            << "\n"
-            << "distance    at most " << number(result->distances.largest()) << " between any point of one surface and "
-            << "the other (" << number(100 * result->distances.largest() / longest_side(model)) << " % of the box)\n"
-            << "map         one-to-one" << (found.proxy ? " from the proxy" : "") << ", " << name(found.certification())
-            << "; " << name(found.kind()) << "\n";
-  if(found.excised) std::cout << "excised     " << found.excision_message() << "\n";
-  if(found.proxy) std::cout << "proxy       " << found.mesh_message() << "\n";
+  out << "facets      " << result->facets << " of " << result->facets_before
+      << (is_split ? " triangles, into which the " + std::to_string(model.soup.polygons.size())
+                       + " polygons of the file are split"
+                   : "")
+      << "\n"
+      << "distance    at most " << number(result->distances.largest()) << " between any point of one surface and "
+      << "the other (" << number(100 * result->distances.largest() / longest_side(model)) << " % of the box)\n"
+      << "map         one-to-one" << (found.proxy ? " from the proxy" : "") << ", " << name(found.certification())
+      << "; " << name(found.kind()) << "\n";
+  if(found.excised) out << "excised     " << found.excision_message() << "\n";
+  if(found.proxy) out << "proxy       " << found.mesh_message() << "\n";
   if(!written.attributes.empty()) {
-    std::cout << "attributes ";
-    for(const std::string& name : written.attributes) std::cout << " " << name;
-    std::cout << "\n";
+    out << "attributes ";
+    for(const std::string& name : written.attributes) out << " " << name;
+    out << "\n";
   }
   if(carried.facets_across_seams > 0)
-    std::cout << "seams       " << carried.facets_across_seams << " facets lie across a seam\n";
+    out << "seams       " << carried.facets_across_seams << " facets lie across a seam\n";
   if(carried.points_without_image > 0)
-    std::cout << "            " << carried.points_without_image << " points have the values of the nearest points\n";
-  if(result->gave_up_lines)
-    std::cout << "lines       were not kept, because the requested number of facets needs them\n";
-  if(model.coordinates == Number_type::FLOAT32 && !result->is_rounded)
-    std::cout << "coordinates are of type double, because rounding to float would invalidate the proof\n";
-  std::cout << "limit       " << limit << std::endl;
+    out << "            " << carried.points_without_image << " points have the values of the nearest points\n";
+  if(result->gave_up_lines) out << "lines       were not kept, because the requested number of facets needs them\n";
+  if(model.coordinates == Number_type::FLOAT32 && !result->is_rounded && !has_single_precision(options.output))
+    out << "coordinates are of type double, because rounding to float would invalidate the proof\n";
+  out << "limit       " << limit << std::endl;
   return DONE;
 }
 
