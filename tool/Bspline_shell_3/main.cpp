@@ -115,6 +115,14 @@ void add_shell(CLI::App& verb, Tool::Shell_options& shell, const std::string& th
     ->capture_default_str();
 }
 
+void add_output(CLI::App& verb, std::string& output)
+{
+  verb
+    .add_option("-o,--output", output,
+                "The result; its extension selects the format. The standard output, -, has the format of the input.")
+    ->required();
+}
+
 void add_time_limit(CLI::App& verb, double& seconds)
 {
   verb.add_option("--time-limit", seconds, "Time limit in seconds")->check(positive());
@@ -133,7 +141,7 @@ int main(int argc, char** argv)
   CLI::App program("Simplifies triangle meshes and keeps everything that is attached to them: colors, texture\n"
                    "coordinates, materials, groups, labels, and other properties. The distance and the one-to-one map\n"
                    "between the original and the result are proved. Files: PLY, OBJ with MTL, OFF,\n"
-                   "STL, glTF, GLB.",
+                   "STL, glTF, GLB; - is the standard input or output.",
                    "bspline_shell");
   program.set_version_flag("--version", std::string("bspline_shell ") + BSPLINE_SHELL_3_VERSION);
   program.set_help_all_flag("--help-all", "Print the help of all verbs");
@@ -148,7 +156,7 @@ int main(int argc, char** argv)
   Tool::Simplify_options simplify;
   CLI::App* verb = program.add_subcommand("simplify", "Simplify a mesh, and keep its attributes." + lengths);
   add_shell(*verb, simplify, "as required by the tolerance or the number of facets; at first, the tolerance or 1%");
-  verb->add_option("-o,--output", simplify.output, "The result; its extension selects the format")->required();
+  add_output(*verb, simplify.output);
   add_length(*verb, "--tolerance", simplify.tolerance,
              "No point of either surface is farther from the other (default: none)");
   auto* facets = verb->add_option("--facets", simplify.facets, "Stop at this number of triangles")->check(positive());
@@ -171,7 +179,7 @@ int main(int argc, char** argv)
   verb = program.add_subcommand("remesh",
                                 "Remesh a mesh to edges of about one length, and keep its attributes." + lengths);
   add_shell(*verb, remesh, "1%");
-  verb->add_option("-o,--output", remesh.output, "The result; its extension selects the format")->required();
+  add_output(*verb, remesh.output);
   add_length(*verb, "--edge", remesh.edge, "Length of edges");
   verb->get_option("--edge")->required();
   verb
@@ -189,7 +197,7 @@ int main(int argc, char** argv)
   verb = program.add_subcommand("transfer", "Transfer the attributes of one mesh to another." + lengths);
   add_shell(*verb, transfer, "as required by the distance of TO", "FROM", "The mesh with attributes");
   verb->add_option("TO", transfer.to, "The mesh that gets them; its points and polygons are kept")->required();
-  verb->add_option("-o,--output", transfer.output, "The result; its extension selects the format")->required();
+  add_output(*verb, transfer.output);
   verb->add_flag("--normals", transfer.includes_normals, "Transfer normals as well");
   verb->add_option("--bake", transfer.image, "Bake colors of FROM into this PNG file, over texture coordinates of TO")
     ->type_name("IMAGE");

@@ -247,6 +247,17 @@ with tempfile.TemporaryDirectory() as folder:
             if (source, target) == ("in.ply", "x.stl"):
                 assert '"temperature" is left out' in done.stderr, done
 
+    # The standard input is recognized by its first bytes, and the standard output has its format.
+    for name, form in (("in.ply", "ply, "), ("in.obj", "obj"), ("in.off", "off"), ("in.stl", "stl, ascii"), ("binary.stl", "stl, binary"),
+                       ("in.glb", "glb"), ("x.gltf", "gltf")):
+        done = subprocess.run([program, "check", "-", "--json"], input=read(path(name)), capture_output=True)
+        assert done.returncode == 0 and json.loads(done.stdout)["format"].startswith(form), (name, done)
+    done = subprocess.run([program, "simplify", "-", "-o", "-", "--facets", "600"], input=read(path("in.ply")), capture_output=True)
+    assert done.returncode == 0 and b"facets " in done.stderr, done.stderr
+    assert len(read_ply(write(path("piped.ply"), done.stdout))[2]["face"][1]["material"]) <= 600
+    done = subprocess.run([program, "simplify", "-", "-o", "-"], input=b"", capture_output=True)
+    assert done.returncode == WRONG_INPUT and b"is empty" in done.stderr and done.stdout == b"", done
+
     # A triangle that intersects the surface is excised, and stays as it is with its label.
     stray = [(0.9, -0.02, 0.3), (1.1, 0.0, 0.31), (0.9, 0.02, 0.32)]
     more, labelled = points + stray, triangles + [tuple(len(points) + i for i in range(3))]

@@ -78,6 +78,7 @@ struct Model
   std::shared_ptr<const tinygltf::Model> assets;
   std::string folder;             // folder of the file; texture files are relative to it
   std::vector<std::string> files; // the file and its material libraries
+  std::string format;             // extension of the file, without its dot
   std::string encoding;           // name of the encoding; empty if the format has only one
   Number_type coordinates = Number_type::FLOAT64;
 
@@ -103,6 +104,9 @@ struct Model
     return nullptr;
   }
 };
+
+// name of the standard input and of the standard output
+constexpr const char* stream_name = "-";
 
 // names that formats without names of their own use
 constexpr const char *color_name = "color", *normal_name = "normal", *texture_name = "texture",

@@ -23,6 +23,12 @@ std::uint32_t number_of_facets(std::string_view text)
   return size;
 }
 
+bool is_binary(std::string_view text)
+{
+  return text.size() >= header_size + sizeof(std::uint32_t)
+         && text.size() == header_size + sizeof(std::uint32_t) + number_of_facets(text) * facet_size;
+}
+
 // Points at equal positions are one point, because the format has no indices.
 class Points
 {
@@ -108,11 +114,15 @@ File_report read_ascii(std::string_view text, Model& model)
 
 } // namespace
 
+bool is_STL(std::string_view text)
+{
+  Lines lines(text);
+  return is_binary(text) || (lines.next() && is_keyword(lines.words[0], "solid"));
+}
+
 File_report read_STL(std::string_view text, Model& model)
 {
-  const bool is_binary = text.size() >= header_size + sizeof(std::uint32_t)
-                         && text.size() == header_size + sizeof(std::uint32_t) + number_of_facets(text) * facet_size;
-  return is_binary ? read_binary(text, model) : read_ascii(text, model);
+  return is_binary(text) ? read_binary(text, model) : read_ascii(text, model);
 }
 
 } // namespace Tool

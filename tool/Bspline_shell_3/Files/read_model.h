@@ -10,7 +10,8 @@
 
 namespace Tool {
 
-// Reads a file, whose extension selects the format. Attributes that cannot be kept are named in warnings.
+// Reads a file, whose extension selects the format, or the standard input, whose first bytes select it. Attributes that
+// cannot be kept are named in warnings.
 File_report read_model(const std::string& file, Model& model);
 
 // Each function reads the text of a file of one format.
@@ -23,7 +24,10 @@ File_report read_GLTF(std::string_view text, Model& model); // also reads buffer
 // Returns the extension of a file name in lower case, with the dot.
 std::string extension_of(const std::string& file);
 
-// Returns whether the file can be read.
+// Returns whether a text begins like an STL file.
+bool is_STL(std::string_view text);
+
+// Reads a file or the standard input, and returns whether it can be read.
 File_status read_text(const std::string& file, std::string& text);
 
 } // namespace Tool

@@ -22,7 +22,7 @@ Writer writer_of(const std::string& file)
 
 bool is_supported(const std::string& file)
 {
-  return writer_of(file) != nullptr;
+  return file == stream_name || writer_of(file) != nullptr;
 }
 
 bool has_single_precision(const std::string& file)
@@ -33,7 +33,18 @@ bool has_single_precision(const std::string& file)
 Written_files write_model(const Model& model, const std::string& file)
 {
   Written_files written;
-  writer_of(file)(model, file, written);
+  if(file != stream_name) {
+    writer_of(file)(model, file, written);
+    return written;
+  }
+  const std::string name = stream_name + ("." + model.format);
+  Model single = model;
+  if(model.format == "obj" && model.has_materials()) {
+    single.materials.clear();
+    written.warnings.push_back("The material library is left out: the standard output is a single file.");
+  }
+  writer_of(name)(single, name, written);
+  written.files[0].first = stream_name;
   return written;
 }
 

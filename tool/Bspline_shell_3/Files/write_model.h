@@ -27,13 +27,13 @@ struct Written_files
   }
 };
 
-// Returns whether models can be written to files with this name.
+// Returns whether models can be written to files with this name, or to the standard output.
 bool is_supported(const std::string& file);
 
 // Returns whether all coordinates in a file with this name have single precision.
 bool has_single_precision(const std::string& file);
 
-// Returns the contents of a file, whose extension selects the format.
+// Returns the contents of a file, whose extension selects the format. The standard output has the format of the model.
 // \pre `is_supported(file)`
 Written_files write_model(const Model& model, const std::string& file);
 

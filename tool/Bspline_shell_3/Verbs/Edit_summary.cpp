@@ -1,6 +1,7 @@
 #include "Edit_summary.h"
 #include "Input.h"
 #include "Outcome.h"
+#include "Result_files.h"
 #include "number.h"
 
 #include "../Files/write_model.h"
@@ -54,8 +55,9 @@ Json json_of(const Edit_summary& summary, const Model& model, const BS::Shell_of
 void print(const Edit_summary& summary, const Model& model, const BS::Shell_of_soup_3& found,
            const std::vector<std::pair<std::string, std::string> >& lines)
 {
-  const auto line = [](const std::string& title) -> std::ostream& {
-    return std::cout << std::left << std::setw(12) << title;
+  std::ostream& out = report_stream(summary.output);
+  const auto line = [&out](const std::string& title) -> std::ostream& {
+    return out << std::left << std::setw(12) << title;
   };
   const double distance = summary.distances.largest();
   const std::size_t polygons = model.soup.polygons.size();
@@ -75,8 +77,8 @@ void print(const Edit_summary& summary, const Model& model, const BS::Shell_of_s
   if(found.proxy) line("proxy") << with_options(found.mesh_message()) << "\n";
   if(!summary.attributes.empty()) {
     line("attributes");
-    for(std::size_t n = 0; n < summary.attributes.size(); ++n) std::cout << (n > 0 ? " " : "") << summary.attributes[n];
-    std::cout << "\n";
+    for(std::size_t n = 0; n < summary.attributes.size(); ++n) out << (n > 0 ? " " : "") << summary.attributes[n];
+    out << "\n";
   }
   if(summary.carried.facets_across_seams > 0)
     line("seams") << summary.carried.facets_across_seams << " facets lie across a seam\n";

@@ -2,6 +2,7 @@
 #ifndef TOOL_VERBS_RESULT_FILES_H
 #define TOOL_VERBS_RESULT_FILES_H
 
+#include <iosfwd>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,9 @@ bool is_writable(const std::string& file);
 
 // Returns whether both names belong to the same existing file.
 bool is_same_file(const std::string& file, const std::string& other);
+
+// Returns the stream for the report about a result: the standard error if the result is the standard output.
+std::ostream& report_stream(const std::string& result);
 
 // Writes files under temporary names and renames them when all are complete. If one cannot be written, none is changed,
 // and its name is returned; otherwise, the name is empty. SIGINT is ignored meanwhile, so that it leaves nothing

@@ -190,8 +190,7 @@ Outcome check(const Shell_options& options, bool writes_json)
   Model model;
   if(const Outcome read = read_input(options.input, model); !read) return read;
   const double unit = longest_side(model), thickness = thickness_of(options, unit);
-  const std::string format = extension_of(options.input).substr(1) + (model.encoding.empty() ? "" : ", ")
-                             + model.encoding;
+  const std::string format = model.format + (model.encoding.empty() ? "" : ", ") + model.encoding;
   const std::size_t corners = model.first_corners().back();
   const Findings found = examine(model, options, thickness);
   if(found.kind.empty()) return { WRONG_INPUT, options.input, with_options(message(found.status)), found.offenders };

@@ -67,7 +67,7 @@ Outcome remesh(const Remesh_options& options, bool writes_json)
       .add("edges_on_features", result.features)
       .add("edges_on_lines", result.lines)
       .add("protects_lines", result.protects_lines);
-    std::cout << json.text() << std::endl;
+    report_stream(options.output) << json.text() << std::endl;
     return DONE;
   }
   print(summary, model, found,

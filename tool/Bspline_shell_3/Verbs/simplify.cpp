@@ -74,7 +74,7 @@ Outcome simplify(const Simplify_options& options, bool writes_json)
     json.add("edges_on_lines", result.lines)
       .add("keeps_lines", result.keeps_lines)
       .add("cuts_lines", result.cut && result.cut->cut);
-    std::cout << json.text() << std::endl;
+    report_stream(options.output) << json.text() << std::endl;
     return DONE;
   }
   std::vector<std::pair<std::string, std::string> > lines;

@@ -146,34 +146,35 @@ std::string map_message(const Transfer_map& map)
          + percent(parts.share(Mapped::NEAREST)) + " outside of the shell, with values of the nearest points";
 }
 
-void print_list(const std::string& title, const std::vector<std::string>& list)
+void print_list(std::ostream& out, const std::string& title, const std::vector<std::string>& list)
 {
   if(list.empty()) return;
-  std::cout << title;
-  for(const std::string& item : list) std::cout << " " << item;
-  std::cout << "\n";
+  out << title;
+  for(const std::string& item : list) out << " " << item;
+  out << "\n";
 }
 
 void print(const Transfer_options& options, const Transfer_map& map, double distance, double unit,
            const Attribute_transfer& transferred, const Baked& baked)
 {
-  std::cout << "map         " << map_message(map) << "\n";
+  std::ostream& out = report_stream(options.output);
+  out << "map         " << map_message(map) << "\n";
   if(!map.parts.is_one_to_one())
-    std::cout << "            marked by the property \"" << mapped_name
-              << "\" of points: 0 one-to-one, 1 continued, 2 nearest\n";
-  std::cout << "distance    no point is farther than " << number(distance) << " from the first mesh ("
-            << percent(distance / unit) << " of its box)\n";
+    out << "            marked by the property \"" << mapped_name
+        << "\" of points: 0 one-to-one, 1 continued, 2 nearest\n";
+  out << "distance    no point is farther than " << number(distance) << " from the first mesh ("
+      << percent(distance / unit) << " of its box)\n";
   if(map.found.certification() != BS::Certification::NONE)
-    std::cout << "shell       thickness " << number(map.thickness) << " (" << percent(map.thickness / unit)
-              << " of the box); " << name(map.found.certification()) << "; " << name(map.found.kind()) << "\n";
-  print_list("attributes ", transferred.transferred);
-  print_list("replaced   ", transferred.replaced);
+    out << "shell       thickness " << number(map.thickness) << " (" << percent(map.thickness / unit)
+        << " of the box); " << name(map.found.certification()) << "; " << name(map.found.kind()) << "\n";
+  print_list(out, "attributes ", transferred.transferred);
+  print_list(out, "replaced   ", transferred.replaced);
   if(transferred.facets_across_seams > 0)
-    std::cout << "seams       " << transferred.facets_across_seams << " facets lie across a seam\n";
+    out << "seams       " << transferred.facets_across_seams << " facets lie across a seam\n";
   for(const auto& image : baked.images)
-    std::cout << "image       " << image.first << ": " << options.size << " x " << options.size << " texels, "
-              << percent(double(baked.map.texels.size()) / double(options.size * options.size)) << " covered\n";
-  std::cout << std::flush;
+    out << "image       " << image.first << ": " << options.size << " x " << options.size << " texels, "
+        << percent(double(baked.map.texels.size()) / double(options.size * options.size)) << " covered\n";
+  out << std::flush;
 }
 
 } // namespace
@@ -254,7 +255,7 @@ Outcome transfer(const Transfer_options& options, bool writes_json)
       .add("overlapping_texels", baked.map.overlapping)
       .add("warnings", warnings)
       .add("seconds", time.seconds());
-    std::cout << json.text() << std::endl;
+    report_stream(options.output) << json.text() << std::endl;
   } else print(options, *map, distance, unit, transferred, baked);
   return parts.share(Mapped::ONE_TO_ONE) > 0 ? DONE : NOT_CERTIFIED;
 }
