@@ -1170,6 +1170,16 @@ TEST_CASE("Certificate: scaling field and varying thresholds by a power of two c
   }
 }
 
+TEST_CASE("Certificate: bounds of a field are computed again if its coefficients may have changed")
+{
+  Field field = radial_field();
+  const Mesh mesh = sphere(2, 1);
+  Certificate certificate(field, Constant(0.75), Constant(1.25));
+  REQUIRE(certificate.verify(mesh));
+  set(field, [](double x, double y, double z) { return 2 - std::sqrt(x * x + y * y + z * z); });
+  CHECK_FALSE(certificate.verify(mesh));
+}
+
 TEST_CASE("Certificate: powers of two scale bounds exactly, including those of facets that the predicates decide")
 {
   // Values, slopes and second derivatives are between 2^-900 and 2^1000, beyond the documented range. At some vertices,

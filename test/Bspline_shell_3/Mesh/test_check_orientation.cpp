@@ -2,6 +2,8 @@
 #include <CGAL/Bspline_shell_3/Mesh/check_orientation.h>
 #include "input_meshes.h"
 
+#include <array>
+
 namespace test_check_orientation {
 namespace {
 
@@ -39,6 +41,23 @@ TEST_CASE("INCONSISTENT_ORIENTATION: one facet of each component to be reversed 
   const Mesh outer = sphere(1, 4), cavity = sphere(1, 2), core = sphere(1, 1);
   mend(both(outer, cavity), 1);
   mend(both(both(outer, reversed(cavity)), reversed(core)), 1);
+}
+
+TEST_CASE("Input mesh: bodies side by side are recognized, even if their gap is much narrower than their facets")
+{
+  Input_mesh_3 input;
+  for(int axis = 0; axis < 3; ++axis) {
+    constexpr double gap = 1e-3;
+    std::array<double, 3> low = { 0, 0, 0 }, high = { 1, 1, 1 };
+    low[axis] += 1 + gap;
+    high[axis] += 1 + gap;
+    const Mesh body = box(Point_3(0, 0, 0), Point_3(1, 1, 1)),
+               other = box(Point_3(low[0], low[1], low[2]), Point_3(high[0], high[1], high[2]));
+    for(const Mesh& m : { both(body, other), both(other, body) }) {
+      REQUIRE(check(input, m) == Status::SUCCESS);
+      CHECK(input.faces_outwards());
+    }
+  }
 }
 
 TEST_CASE("INCONSISTENT_ORIENTATION is returned for a flat mesh, which bounds no volume, even if it may self-intersect")

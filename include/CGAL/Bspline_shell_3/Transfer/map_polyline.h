@@ -62,8 +62,7 @@ namespace Bspline_shells {
  *   \cgalNamedParamsEnd
  * \return the image of each part that has one, and the gaps between these parts with reasons; it converts to `true` if
  *   there are no gaps. Repeated vertices are merged. The image of a closed polyline ends with its first vertex; if
- * there
- *   are gaps, the last part ends where the first part begins.
+ *   there are gaps, the last part ends where the first part begins.
  *
  * \cgalHeading{Cost} The time is linear in the number of vertices of the result: a vertex takes about six projections
  * of a point. Segments of the polyline are mapped concurrently.
