@@ -14,7 +14,7 @@ namespace {
 constexpr int attempts = 4;             // number of shells
 constexpr double thickest = 0.3;        // relative to the longest side; cells are too coarse for thicker shells
 constexpr double thickest_first = 0.05; // thicker shells are tried only after this one
-constexpr double thickening = 3;       // ratio of successive thicknesses
+constexpr double thickening = 3;        // ratio of successive thicknesses
 
 // Simplifies a mesh in a shell. Where the result is farther than the tolerance from the mesh, facets of the mesh are
 // kept, and the simplification is repeated.
