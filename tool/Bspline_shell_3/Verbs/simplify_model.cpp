@@ -73,6 +73,7 @@ public:
     if(!keeps_tolerance(*m_best) && !m_best->found->proxy) {
       m_target.facets = m_best->facets_before;
       m_best = simplify(m_best->found, m_best->thickness);
+      if(!*m_best) return { NOT_CERTIFIED, m_options.input, m_best->message };
       m_best->limit = Limit::TOLERANCE;
     }
     result = std::move(*m_best);
