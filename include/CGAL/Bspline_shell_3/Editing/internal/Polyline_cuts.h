@@ -84,8 +84,7 @@ public:
   // Computes the new facets, and checks that they face in the same direction as the facets that they replace.
   Cut_status triangulate()
   {
-    for(Cut_edge& e : m_edges) {
-      std::sort(e.nodes.begin(), e.nodes.end());
+    for(const Cut_edge& e : m_edges) {
       if(e.nodes.empty()) continue;
       for(auto h : { e.halfedge, opposite(e.halfedge, m_mesh) })
         if(face(h, m_mesh) != Graph_traits::null_face()) cut_facet(face(h, m_mesh));
@@ -115,13 +114,13 @@ private:
   struct Cut_edge
   {
     halfedge_descriptor halfedge;
-    std::vector<std::pair<double, std::size_t> > nodes; // positions and numbers
-    std::vector<std::pair<double, double> > segments;   // positions of their ends
+    std::map<double, std::size_t> nodes;              // numbers, by position
+    std::vector<std::pair<double, double> > segments; // positions of their ends
   };
   struct Cut_facet
   {
     face_descriptor facet;
-    std::vector<std::pair<Weights, std::size_t> > inside; // nodes inside the facet
+    std::map<Weights, std::size_t> inside; // nodes inside the facet
     std::vector<std::pair<std::size_t, std::size_t> > chords;
     std::vector<std::array<std::size_t, 3> > triangles;
     std::vector<std::pair<std::size_t, std::size_t> > chord_parts;
@@ -218,13 +217,11 @@ private:
   }
 
   template <typename Position>
-  std::size_t find_or_add(std::vector<std::pair<Position, std::size_t> >& nodes, const Position& at,
-                          const Location& location)
+  std::size_t find_or_add(std::map<Position, std::size_t>& nodes, const Position& at, const Location& location)
   {
-    for(const auto& n : nodes)
-      if(n.first == at) return n.second;
-    nodes.emplace_back(at, add_node(Graph_traits::null_vertex(), point(location.first, location.second)));
-    return nodes.back().second;
+    const auto found = nodes.find(at);
+    if(found != nodes.end()) return found->second;
+    return nodes[at] = add_node(Graph_traits::null_vertex(), point(location.first, location.second));
   }
 
   // pre: the locations are in the same facet
@@ -279,7 +276,7 @@ private:
     const Cut_facet_triangulation triangulation = triangulate_cut_facet(lengths, points, chords);
     for(const Weights& w : triangulation.crossings) {
       nodes.push_back(add_node(Graph_traits::null_vertex(), point(f.facet, w)));
-      f.inside.emplace_back(w, nodes.back());
+      f.inside[w] = nodes.back();
     }
     m_crossings += triangulation.crossings.size();
     for(const auto& t : triangulation.triangles) f.triangles.push_back({ nodes[t[0]], nodes[t[1]], nodes[t[2]] });
