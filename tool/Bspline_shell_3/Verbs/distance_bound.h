@@ -13,8 +13,8 @@ struct Distance_bounds
 {
   double to_second = 0; // no point of the first mesh is farther than this from the second mesh
   double to_first = 0;  // and conversely
-  // facets of the first mesh that are not proved to be within the limit of the second mesh, or to which parts of the
-  // second mesh are closest that are not proved to be within the limit of the first mesh
+  // Facets of the first mesh without a proof that they are within the limit of the second mesh. Also those closest to
+  // parts of the second mesh that lack the converse proof.
   std::vector<Mesh::Face_index> beyond_limit;
 
   double largest() const { return (std::max)(to_second, to_first); }

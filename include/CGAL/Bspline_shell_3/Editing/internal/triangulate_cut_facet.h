@@ -21,8 +21,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The triangles into which a facet is cut. There are none if rounding makes points equal, or moves them to
-// edges.
+// The triangles into which a facet is cut. There are none if rounding makes points equal, or moves them to edges.
 struct Cut_facet_triangulation
 {
   typedef std::array<double, 3> Weights; // barycentric coordinates
