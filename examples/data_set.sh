@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Builds a shell of each mesh of a data set, simplifies the mesh in it, measures the round trip, and draws a picture;
-# then writes a table and web pages (Debian 12):
+# Simplifies each mesh of a data set in its shell with the program bspline_shell, and draws a picture; then writes a
+# table and web pages (Debian 12):
 #   bash examples/data_set.sh FOLDER|LIST [OPTION=VALUE...] [SNAKEMAKE OPTION...]
 # Installs missing packages, builds the program, processes the meshes on all processors, and prints the path of the
-# result: results/data_set/index.html. Meshes are OFF, OBJ, PLY, or STL files; LIST is a file with one mesh per line.
+# result: results/data_set/index.html. Meshes are PLY, OBJ, OFF, STL, or glTF files; LIST is a file with one mesh per line.
 # OPTION: results (a folder), facets, time_limit (seconds), memory_limit (megabytes), pictures, keep, batch; see
 # examples/Bspline_shell_3/data_set/data_set.py.
 # Complete results are not computed again, so an interrupted run can be resumed. If a mesh has no result, the reason is
@@ -35,10 +35,10 @@ install_packages "${BUILD_PACKAGES[@]}" python3 python3-matplotlib python3-pil p
 
 launcher=()
 command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-echo "Building (one to two minutes the first time) ..."
+echo "Building (about four minutes the first time) ..."
 mkdir -p "$build"
 { cmake -S . -B "$build" -G Ninja -Wno-dev "${launcher[@]}" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF &&
-  cmake --build "$build" --target simplify_and_transfer; } >"$build/build.log" 2>&1 ||
+  cmake --build "$build" --target bspline_shell; } >"$build/build.log" 2>&1 ||
   { tail -n 30 "$build/build.log"; echo "The build failed: see $build/build.log."; exit 1; }
 
 snakemake --snakefile "$here/Snakefile" --scheduler greedy --rerun-incomplete --keep-going "${cores[@]}" "${options[@]}" \

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Simplifies a mesh in its shell, transfers test colors and distances to the result, and draws a picture (Debian 12):
+# Simplifies a mesh in its shell with the program bspline_shell, transfers test colors to the result, and draws a picture
+# (Debian 12):
 #   bash examples/quickstart.sh [MESH] [FACETS]
-# Installs missing packages, builds and runs the program, and lists the results. MESH is an OFF, OBJ, PLY, or STL file;
-# it may be open, or a polygon soup, and its attributes are not read. Default: the elephant of the Debian package
-# libcgal-demo. FACETS is the target number of facets; default: as few as the shell allows.
-# The exit code is that of simplify_and_transfer; see its usage. If a run fails, results of an earlier run are kept.
+# Installs missing packages, builds the program, and lists the results. MESH is a PLY, OBJ, OFF, STL, or glTF file; it
+# may be open, or a polygon soup. Default: the elephant of the Debian package libcgal-demo. FACETS is the target number
+# of facets; default: as few as a shell with a thickness of 1 % of the bounding box allows.
+# The exit code is that of bspline_shell; see its help. If a run fails, results of an earlier run are kept.
 set -euo pipefail
 mesh=${1-} options=()
 if [ -n "$mesh" ]; then
@@ -22,10 +23,10 @@ install_packages "${BUILD_PACKAGES[@]}" python3 python3-vtk9 xvfb xauth
 build=build/quickstart
 launcher=()
 command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-echo "Building (one to two minutes the first time) ..."
+echo "Building (about four minutes the first time) ..."
 mkdir -p "$build"
 { cmake -S . -B "$build" -G Ninja -Wno-dev "${launcher[@]}" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF &&
-  cmake --build "$build" --target simplify_and_transfer; } >"$build/build.log" 2>&1 ||
+  cmake --build "$build" --target bspline_shell; } >"$build/build.log" 2>&1 ||
   { tail -n 30 "$build/build.log"; echo "The build failed: see $build/build.log."; exit 1; }
 
 if [ -z "$mesh" ]; then
@@ -39,38 +40,35 @@ name=$(basename -- "$mesh")
 name=${name%.*}
 mkdir -p results
 begin=$(mktemp) status=0
-trap 'rm -f "$begin" "results/$name.new.png"' EXIT
-"$build/examples/Bspline_shell_3/simplify_and_transfer" "$mesh" "${options[@]}" --output "results/$name" || status=$?
+trap 'rm -f "$begin" "results/${name}_new.png" "results/${name}_subdivided.ply"' EXIT
+tool=$build/tool/Bspline_shell_3/bspline_shell prefix=results/$name
+"$tool" simplify "$mesh" "${options[@]}" -o "${prefix}_simplified.ply" --shell "$prefix" || status=$?
 draw() {      # PREFIX
-  xvfb-run -a /usr/bin/python3 examples/Bspline_shell_3/render_shell.py "$1" "results/$name.new.png" \
-    2>"$build/render.log" && [ -s "results/$name.new.png" ] && mv "results/$name.new.png" "$1.png"
+  xvfb-run -a /usr/bin/python3 examples/Bspline_shell_3/render_shell.py "$1" "${prefix}_new.png" 2>"$build/render.log" &&
+    [ -s "${prefix}_new.png" ] && mv "${prefix}_new.png" "$1.png"
 }
-# After exit codes 4 and 7, results are complete except for those named by the program.
-if [[ $status != 0 && $status != 4 && $status != 7 ]]; then
-  for prefix in "results/$name.failed" "results/$name"; do
-    if [ "${prefix}_places.ply" -nt "$begin" ]; then
-      echo "${prefix}_places.ply contains the points where the proof fails; the mesh is ${prefix}_mesh.ply."
-      if draw "$prefix"; then echo "$prefix.png shows both."; fi
-    fi
-  done
+if [ "$status" != 0 ]; then
+  if [ "${prefix}_failed_places.ply" -nt "$begin" ] && draw "${prefix}_failed"; then
+    echo "${prefix}_failed.png shows these places on the mesh."
+  fi
   exit "$status"
 fi
-if draw "results/$name"; then
-  picture="
-  results/$name.png              the mesh before and after, and a cross section of both meshes and the shell"
+rm -f "${prefix}"{.png,_painted.ply,_detail.ply}      # of an earlier run
+/usr/bin/python3 examples/Bspline_shell_3/paint_meshes.py "$prefix" &&
+  "$tool" transfer "${prefix}"{_painted.ply,_subdivided.ply} -o "${prefix}_detail.ply" || true
+echo
+if draw "$prefix"; then
+  echo "$prefix.png shows the mesh before and after, and a cross section of both meshes and the shell."
 else
-  picture="
-  (The picture could not be drawn: see $build/render.log.)"
-  rm -f "results/$name.png"       # a picture of an earlier run
+  echo "The picture could not be drawn: see $build/render.log."
 fi
 cat <<END
 Results:
-  results/${name}.json             report on the repairs of the file, the shell, and the reason for a proxy
-  results/${name}_simplified.json  numbers of facets, and the largest error of a round trip between the meshes
-  results/${name}_mesh.ply         the mesh, or a proxy of the polygons, with test colors and distances from a vertex
-  results/${name}_simplified.ply   the simplified mesh, with the transferred colors and distances
-  results/${name}_detail.ply       the simplified mesh, subdivided to show the transferred color of every point
-  results/${name}_inner.ply        the inner surface of the shell
-  results/${name}_outer.ply        the outer surface of the shell$picture
+  ${prefix}_simplified.ply   the simplified mesh, with everything that the file has attached to the mesh
+  ${prefix}.shell            the shell
+  ${prefix}.json             report on the file, its repairs, and the shell
+  ${prefix}_mesh.ply         the mesh of the shell, or a proxy of the polygons
+  ${prefix}_{inner,outer}.ply        the surfaces that bound the shell
+  ${prefix}_{painted,detail}.ply     the mesh with test colors, and the simplified mesh with the transferred colors
+Your other files: $tool --help
 END
-exit "$status"

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
-"""Draws the output of build_shell or simplify_and_transfer.
+"""Draws files that the program bspline_shell writes: `shell -o PREFIX`, or `simplify -o PREFIX_simplified.ply --shell PREFIX`.
 
 Usage: render_shell.py PREFIX PICTURE.png
 
-Reads PREFIX_{mesh,inner,outer}.ply. Draws the mesh with its colors, and a cross section of the mesh and the shell with
-an enlarged detail. If there are PREFIX_{simplified,detail}.ply, draws the simplified mesh between them, with the edges
-of simplified and the colors of detail, and adds it to the cross section.
+Reads PREFIX_{mesh,inner,outer}.ply. Draws the mesh, and a cross section of the mesh and the shell with an enlarged
+detail. If there is PREFIX_simplified.ply, draws the simplified mesh between them, and adds it to the cross section.
+If paint_meshes.py has prepared PREFIX_painted.ply, and there is PREFIX_detail.ply, both meshes have their colors.
 
-If there is PREFIX_places.ply but no PREFIX_outer.ply, draws the mesh and these points, where the proof fails.
+If there is PREFIX_places.ply, draws only the mesh and these points, where the proof fails.
 """
 import os
 import sys
@@ -198,14 +198,15 @@ def draw_places(prefix, picture):
 
 
 def main(prefix, picture):
-    if not os.path.isfile(f"{prefix}_outer.ply") and os.path.isfile(f"{prefix}_places.ply"):
+    if os.path.isfile(f"{prefix}_places.ply"):
         draw_places(prefix, picture)
         return
     mesh, inner, outer = (read(f"{prefix}_{part}.ply") for part in ("mesh", "inner", "outer"))
-    simplified = detail = None
+    simplified = read(f"{prefix}_simplified.ply") if os.path.isfile(f"{prefix}_simplified.ply") else None
+    painted, detail = mesh, simplified
+    if simplified and os.path.isfile(f"{prefix}_detail.ply"):
+        painted, detail = (read(f"{prefix}_{part}.ply") for part in ("painted", "detail"))
     simplified_legend = []
-    if os.path.isfile(f"{prefix}_simplified.ply"):
-        simplified, detail = (read(f"{prefix}_{part}.ply") for part in ("simplified", "detail"))
 
     bounds = outer.GetBounds()
     center = [(bounds[2*a] + bounds[2*a + 1]) / 2 for a in range(3)]
@@ -220,12 +221,13 @@ def main(prefix, picture):
     plane.SetNormal(*[-x for x in view])
 
     # contents and titles of panels
-    panels = [([actor(mesh), edges(mesh)], [title(f"mesh: {mesh.GetNumberOfPolys()} facets")])]
+    panels = [([actor(painted), edges(mesh)], [title(f"mesh: {mesh.GetNumberOfPolys()} facets")])]
     cut = [actor(half(inner, plane), BLUE), actor(half(outer, plane), RED, 0.3)]
     cut += [outline(inner, plane, BLUE, 1.5), outline(outer, plane, RED, 1.5), outline(mesh, plane, BLACK, 1.5)]
     if simplified:
         panels.append(([actor(detail), edges(simplified)],
-                       [title(f"simplified: {simplified.GetNumberOfPolys()} facets, with transferred colors")]))
+                       [title(f"simplified: {simplified.GetNumberOfPolys()} facets"
+                              + (", with transferred colors" if detail is not simplified else ""))]))
         cut += [actor(half(simplified, plane), GREY), outline(simplified, plane, GREEN, 1.5)]
         simplified_legend = [("simplified", GREEN)]
     else:

@@ -9,6 +9,10 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -23,6 +27,25 @@
 #include <vector>
 
 namespace {
+
+// Limits the number of threads until the end of the program.
+class Thread_limit
+{
+public:
+  void operator()(std::size_t threads)
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    m_control = std::make_shared<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
+#else
+    CGAL_USE(threads);
+#endif
+  }
+
+private:
+#ifdef CGAL_LINKED_WITH_TBB
+  std::shared_ptr<tbb::global_control> m_control;
+#endif
+};
 
 std::size_t edit_distance(const std::string& a, const std::string& b)
 {
@@ -123,9 +146,24 @@ void add_output(CLI::App& verb, std::string& output)
     ->required();
 }
 
-void add_time_limit(CLI::App& verb, double& seconds)
+void add_edit(CLI::App& verb, Tool::Edit_options& edit)
 {
-  verb.add_option("--time-limit", seconds, "Time limit in seconds")->check(positive());
+  add_output(verb, edit.output);
+  verb
+    .add_option("--shell", edit.shell,
+                "Write the shell, its mesh, and its surfaces as well; see the verb shell for the names")
+    ->type_name("PREFIX");
+  verb.add_flag("--keep-normals", edit.carries_normals, "Interpolate normals instead of recomputing them");
+}
+
+void add_limits(CLI::App& verb, Tool::Shell_options& shell, Thread_limit& threads)
+{
+  verb.add_option("--time-limit", shell.seconds, "Time limit in seconds")->check(positive());
+  verb.add_option("--memory-limit", shell.megabytes, "Memory for the shell, in megabytes")
+    ->check(positive())
+    ->capture_default_str();
+  verb.add_option_function<std::size_t>("--threads", std::ref(threads), "Number of threads (default: all processors)")
+    ->check(positive());
 }
 
 void add_common(CLI::App& verb, bool& writes_json, const std::string& examples)
@@ -149,6 +187,7 @@ int main(int argc, char** argv)
   program.footer(Tool::exit_codes);
   program.get_formatter()->column_width(32);
   bool writes_json = false;
+  Thread_limit threads;
   Tool::Outcome outcome;
   const std::string lengths =
     "\nA LENGTH is in the unit of the file, or in percent of the longest side of its box: 0.5%";
@@ -156,7 +195,7 @@ int main(int argc, char** argv)
   Tool::Simplify_options simplify;
   CLI::App* verb = program.add_subcommand("simplify", "Simplify a mesh, and keep its attributes." + lengths);
   add_shell(*verb, simplify, "as required by the tolerance or the number of facets; at first, the tolerance or 1%");
-  add_output(*verb, simplify.output);
+  add_edit(*verb, simplify);
   add_length(*verb, "--tolerance", simplify.tolerance,
              "No point of either surface is farther from the other (default: none)");
   auto* facets = verb->add_option("--facets", simplify.facets, "Stop at this number of triangles")->check(positive());
@@ -167,8 +206,7 @@ int main(int argc, char** argv)
              "Simplify open borders within this distance (default: borders are kept)");
   verb->add_flag("--cut-seams", simplify.cuts_lines,
                  "Cut facets along seams and borders of labels, so that none lies across one");
-  verb->add_flag("--keep-normals", simplify.carries_normals, "Interpolate normals instead of recomputing them");
-  add_time_limit(*verb, simplify.seconds);
+  add_limits(*verb, simplify, threads);
   add_common(*verb, writes_json,
              "  bspline_shell simplify scan.obj -o small.obj --tolerance 0.5%\n"
              "  bspline_shell simplify part.stl -o part.ply --facets 10000\n"
@@ -179,7 +217,7 @@ int main(int argc, char** argv)
   verb = program.add_subcommand("remesh",
                                 "Remesh a mesh to edges of about one length, and keep its attributes." + lengths);
   add_shell(*verb, remesh, "1%");
-  add_output(*verb, remesh.output);
+  add_edit(*verb, remesh);
   add_length(*verb, "--edge", remesh.edge, "Length of edges");
   verb->get_option("--edge")->required();
   verb
@@ -188,8 +226,7 @@ int main(int argc, char** argv)
     ->type_name("ANGLE")
     ->check(CLI::Range(0., 180.))
     ->capture_default_str();
-  verb->add_flag("--keep-normals", remesh.carries_normals, "Interpolate normals instead of recomputing them");
-  add_time_limit(*verb, remesh.seconds);
+  add_limits(*verb, remesh, threads);
   add_common(*verb, writes_json, "  bspline_shell remesh part.ply -o even.ply --edge 1% --features 40\n");
   verb->callback([&] { outcome = Tool::remesh(remesh, writes_json); });
 
@@ -211,7 +248,7 @@ int main(int argc, char** argv)
     ->type_name("PIXELS")
     ->check(CLI::Range(0, 1024))
     ->capture_default_str();
-  add_time_limit(*verb, transfer.seconds);
+  add_limits(*verb, transfer, threads);
   add_common(*verb, writes_json,
              "  bspline_shell transfer scan.obj retopology.obj -o result.obj\n"
              "  bspline_shell transfer scan.ply unwrapped.obj -o result.obj --bake colors.png --size 2048\n");
@@ -219,10 +256,30 @@ int main(int argc, char** argv)
 
   Tool::Shell_options shell;
   std::string prefix;
-  verb = program.add_subcommand("shell", "Build a certified shell, its surfaces, and its certificate." + lengths);
+  verb = program.add_subcommand(
+    "shell",
+    "Build a certified shell, and write these files:\n"
+    "  PREFIX.shell                 the shell\n"
+    "  PREFIX.json                  report on the file, its repairs, and the shell\n"
+    "  PREFIX_mesh.ply              the mesh of the shell: the mesh of the file, the part of it without\n"
+    "                               excised triangles, the union of its parts, or a proxy\n"
+    "  PREFIX_{inner,outer}.ply     the surfaces that bound the shell\n"
+    "  PREFIX_excised.ply           excised triangles, if any\n"
+    "  PREFIX_soup.ply              if there is a proxy, the triangles of the file: green where they are\n"
+    "                               mapped along curves, yellow where they are mapped to the nearest point,\n"
+    "                               gray where the proxy hides them\n"
+    "  PREFIX.shell.txt, PREFIX.mesh.off, PREFIX.certificate.txt\n"
+    "                               the proof, for an independent checker\n"
+    "If the shell is not certified:\n"
+    "  PREFIX_failed.json           the report\n"
+    "  PREFIX_failed_mesh.ply       the mesh\n"
+    "  PREFIX_failed_places.ply     points where the proof fails\n"
+    "If it is certified, all files of an earlier run with this prefix are replaced or removed; otherwise, only\n"
+    "those whose names begin with PREFIX_failed."
+      + lengths);
   add_shell(*verb, shell, "1%");
-  verb->add_option("-o,--output", prefix, "Prefix of the names of the results")->required();
-  add_time_limit(*verb, shell.seconds);
+  verb->add_option("-o,--output", prefix, "Prefix of the names of the files")->required()->type_name("PREFIX");
+  add_limits(*verb, shell, threads);
   add_common(*verb, writes_json, "  bspline_shell shell part.stl -o part\n");
   verb->callback([&] { outcome = Tool::shell(shell, prefix, writes_json); });
 

@@ -37,7 +37,7 @@ compile() {     # SOURCE LIBRARY [OPTION ...]
 }
 
 examples=("$@")
-[ $# -gt 0 ] || examples=(certified_shell uniform_shell simplify_mesh remesh_mesh transfer_texture_coordinates simplify_and_transfer)
+[ $# -gt 0 ] || examples=(certified_shell uniform_shell simplify_mesh remesh_mesh transfer_texture_coordinates excised_triangles)
 compile "$work/cgal_alone.cpp" false
 for name in "${examples[@]}"; do
   compile "examples/Bspline_shell_3/${name%.cpp}.cpp" false

@@ -5,13 +5,13 @@
 #   bash benchmark/Bspline_shell_3/Performance/data_set_benchmark.sh MESHES [NUMBER [TURNS [BATCH]]]
 # MESHES: a folder with OFF files; files of up to LARGEST bytes (50000) are used, NUMBER (150) meshes: the files and
 # random rotations of them. PICTURES=true also draws them. PROCESSES (all) is the number of processes. PROGRAM:
-# simplify_and_transfer; by default that of data_set.sh.
+# bspline_shell; by default that of data_set.sh.
 set -euo pipefail
 [ $# -ge 1 ] || { sed -n '2,8s/^# \?//p' "$0" >&2; exit 2; }
 meshes=$(realpath -- "$1") number=${2:-150} turns=${3:-2} batch=${4:-20}
 cd "$(dirname "$0")/../../.."
 root=$PWD
-program=$(realpath -- "${PROGRAM:-build/data_set/examples/Bspline_shell_3/simplify_and_transfer}")
+program=$(realpath -- "${PROGRAM:-build/data_set/tool/Bspline_shell_3/bspline_shell}")
 [ -x "$program" ] || { echo "$program does not exist: run examples/data_set.sh once to build it." >&2; exit 2; }
 processes=${PROCESSES:-$(nproc)} pictures=${PICTURES:-false}
 work=$(mktemp -d)
@@ -52,10 +52,10 @@ by_xargs() {
   mkdir -p "$work/xargs"
   find "$work/meshes" -name '*.off' -print0 | sort -z | xargs -0 -P "$processes" -I{} sh -c '
     prefix=$1/$(basename "$2" .off)
-    timeout 300 "$3" "$2" --output "$prefix" --threads 1 --time-limit 150 --memory-limit 2667 >"$prefix.log" 2>&1
+    timeout 300 "$3" simplify "$2" -o "${prefix}_simplified.ply" --shell "$prefix" --json --threads 1 --time-limit 150 \
+      --memory-limit 2667 >"$prefix.log" 2>&1
     [ "$4" = false ] || [ ! -f "${prefix}_mesh.ply" ] ||
-      LP_NUM_THREADS=1 xvfb-run -a /usr/bin/python3 examples/Bspline_shell_3/render_shell.py "$prefix" "$prefix.png" >>"$prefix.log" 2>&1
-    rm -f "${prefix}_detail.ply"' - "$work/xargs" {} "$program" "$pictures" || true       # some meshes are refused
+      LP_NUM_THREADS=1 xvfb-run -a /usr/bin/python3 examples/Bspline_shell_3/render_shell.py "$prefix" "$prefix.png" >>"$prefix.log" 2>&1' - "$work/xargs" {} "$program" "$pictures" || true       # some meshes are refused
 }
 by_workflow() {
   snakemake --snakefile "$root/examples/Bspline_shell_3/data_set/Snakefile" --directory "$work/workflow" --cores "$processes" --scheduler greedy \

@@ -2,8 +2,7 @@
 # Generates the figures of the manual in doc/Bspline_shell_3/fig (Debian 12):
 #   bash doc/Bspline_shell_3/figures/make_figures.sh
 # Installs missing packages, builds the programs of the gallery, runs them on meshes of the Debian package libcgal-demo,
-# and draws their output. The two figures of the elephant are drawn by examples/Bspline_shell_3/render_shell.py, from the
-# output of build_shell (elephant_shell.png) and simplify_and_transfer (elephant_simplified.png).
+# and draws their output.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 . cmake/install_packages.sh
@@ -27,6 +26,12 @@ run texture elephant 0.02 800
 "$build/figure_data" truncate examples/Bspline_shell_3/four_cubes.off "$data/four_cubes" 0.08 30
 "$build/figure_data" soup "$data/figure"
 "$build/figure_data" excised "$data/ball"
+tool() { echo "bspline_shell $*"; "$build/bspline_shell" "$@"; }
+elephant=$build/data/meshes/elephant.off
+tool shell "$elephant" -o "$data/thick" --thickness 4%
+tool simplify "$elephant" -o "$data/colored_simplified.ply" --shell "$data/colored"
+/usr/bin/python3 examples/Bspline_shell_3/paint_meshes.py "$data/colored"
+tool transfer "$data"/colored_{painted,subdivided}.ply -o "$data/colored_detail.ply"
 (cd "$data" && "$build/heat_geodesics" "$build/data/meshes/rotor.off" 100 1)
 (cd "$data" && "$build/boolean_colors" "$build/data/meshes/bear.off")
 mkdir "$data"/fields_{1,4}
@@ -45,6 +50,8 @@ export PYTHONPATH=examples/Bspline_shell_3 PYTHONDONTWRITEBYTECODE=1        # th
 /usr/bin/python3 "$here/draw_claims.py" "$fig/claims.png"
 /usr/bin/python3 "$here/draw_slices.py" "$data/homer" "$fig"
 xvfb-run -a /usr/bin/python3 "$here/draw_meshes.py" "$data" "$fig"
+xvfb-run -a /usr/bin/python3 examples/Bspline_shell_3/render_shell.py "$data/thick" "$fig/elephant_shell.png"
+xvfb-run -a /usr/bin/python3 examples/Bspline_shell_3/render_shell.py "$data/colored" "$fig/elephant_simplified.png"
 xvfb-run -a /usr/bin/python3 "$here/draw_studies.py" "$data/armadillo" "$fig/resolutions.png"
 
 # the page of a data set, which includes a truncated file

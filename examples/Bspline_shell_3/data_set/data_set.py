@@ -3,14 +3,14 @@ import hashlib
 from collections import Counter
 from pathlib import Path
 
-FORMATS = {".off", ".obj", ".ply", ".stl"}
+FORMATS = {".ply", ".obj", ".off", ".stl", ".gltf", ".glb"}
 DEFAULTS = {
-    "program": str(Path(__file__).resolve().parents[3] / "build/data_set/examples/Bspline_shell_3/simplify_and_transfer"),
+    "program": str(Path(__file__).resolve().parents[3] / "build/data_set/tool/Bspline_shell_3/bspline_shell"),
     "facets": 0,                # target number of facets; 0: as few as the shell allows
-    "time_limit": 300,          # seconds per mesh, without its picture; shell and simplification get 80 %
+    "time_limit": 300,          # seconds per mesh, without its picture; the program gets 80 %, and is killed at the end
     "memory_limit": 4000,       # megabytes per mesh; the shell gets two thirds
     "pictures": True,
-    "keep": "mesh simplified places inner outer",       # PLY files
+    "keep": "mesh simplified places inner outer",       # PLY files; also: shell
     "batch": 20,                # meshes per job
 }
 

@@ -22,17 +22,17 @@ BLUE, RED, SOFT = "#336bd9", "#d94033", "#5b6472"
 
 # columns: key, title, format, description
 COLUMNS = (
-    ("kind", "Kind", str, "mesh of the shell: closed, truncated at singular vertices, virtually closed (an open mesh), united (closed parts that intersect), or a proxy of a polygon soup"),
-    ("facets", "Facets", "{:,}", "number of facets of the mesh or the proxy"),
-    ("simplified_facets", "Simplified", "{:,}", "number of facets of the simplified mesh"),
+    ("kind", "Kind", str, "mesh of the shell: closed, truncated at singular vertices, virtually closed (an open mesh), united (closed parts that intersect), excised (without triangles that have defects), or a proxy of a polygon soup"),
+    ("facets", "Facets", "{:,}", "number of triangles of the mesh or the proxy"),
+    ("simplified_facets", "Simplified", "{:,}", "number of triangles of the simplified mesh"),
     ("thickness", "Thickness", "{:.2f} %", "thickness of the shell, in percent of the longest side of the bounding box"),
+    ("distance", "Distance", "{:.2f} %",
+     "no point of the mesh or of the simplified mesh is farther than this from the other, in percent of the longest side of the bounding box"),
     ("cells", "Cells", "{:,}", "number of cells of the field that defines the shell"),
-    ("round_trip", "Round trip", "{:.1e}",
-     "largest distance of a point from its start after a round trip to the simplified mesh, relative to the longest side of the bounding box"),
     ("seconds", "Time", "{:.1f} s", "time without drawing the picture"),
     ("peak_mb", "Memory", "{:,.0f} MB", "peak memory"),
 )
-EXTRA = "file", "exit", "reason", "cpu_seconds", "points", "points_lost", "drawing_seconds"
+EXTRA = "file", "exit", "reason", "cpu_seconds", "points_without_image", "drawing_seconds"
 
 
 def write(path, text):
@@ -45,18 +45,20 @@ def write(path, text):
 def row(record):
     """Returns a record's row of the table."""
     report, simplified = record.get("report") or {}, record.get("simplified") or {}
-    shell, trip = report.get("shell", {}), simplified.get("round_trip", {})
-    unit = shell.get("unit")
+    shell = report.get("shell", {})
     certified = report.get("status", "").startswith("certified")
+
+    def percentage(length):
+        return 100 * length / shell["unit"]
     return {
         "name": record["name"], "outcome": record["outcome"], "kind": report.get("kind"),
         # The report also counts facets that close an open mesh.
         "facets": simplified.get("facets_before", shell.get("facets")),
-        "simplified_facets": simplified.get("facets"), "thickness": 100 * shell["thickness"] / unit if certified else None,
-        "cells": shell.get("cells"), "round_trip": trip["farthest"] / unit if trip else None, "seconds": record.get("seconds"),
-        "peak_mb": record.get("peak_mb"), "file": record["file"], "exit": record["exit"], "reason": record["reason"],
-        "cpu_seconds": record.get("cpu_seconds"), "points": trip.get("points"), "points_lost": trip.get("lost"),
-        "drawing_seconds": record.get("drawing_seconds")}
+        "simplified_facets": simplified.get("facets"), "thickness": percentage(shell["thickness"]) if certified else None,
+        "distance": percentage(max(simplified["distance_to_result"], simplified["distance_to_input"])) if "facets" in simplified and shell else None,
+        "cells": shell.get("cells"), "seconds": record.get("seconds"), "peak_mb": record.get("peak_mb"), "file": record["file"],
+        "exit": record["exit"], "reason": record["reason"], "cpu_seconds": record.get("cpu_seconds"),
+        "points_without_image": simplified.get("points_without_image"), "drawing_seconds": record.get("drawing_seconds")}
 
 
 def write_table(path, rows):
@@ -172,8 +174,8 @@ def offenders(report):
 def write_mesh_page(folder, record, line, before, after):
     report, name = record.get("report") or {}, record["name"]
     facts = [("File", record["file"]), *((title, shown(line[key], form)) for key, title, form, _ in COLUMNS)]
-    if line["points"]:
-        facts.append(("Points lost on the round trip", f"{line['points_lost']} of {line['points']:,}"))
+    if line["points_without_image"]:
+        facts.append(("Points with attributes of the nearest point", f"{line['points_without_image']:,}"))
     if "mesh_itself" in report:
         facts.append(("The mesh itself", report["mesh_itself"]["message"]))
     facts += offenders(report)
@@ -196,11 +198,11 @@ def write_index(records, rows):
     done = [r for r in rows if r["outcome"] == "done"]
     kinds = Counter(r["kind"] for r in done)
     hours = sum(r["seconds"] or 0 for r in rows) / 3600
-    lost, points = sum(r["points_lost"] or 0 for r in rows), sum(r["points"] or 0 for r in rows)
     of_kinds = "".join(f"; {n:,} {kind}" for kind, n in kinds.most_common())
     facts = [(f"{len(done):,} of {len(rows):,}", f"meshes have a certified shell and are simplified in it{of_kinds}"),
              (f"{len(rows) - len(done):,}", "meshes without a result; their pages give the reason"),
-             (f"{lost:,} of {points:,}", "points lost on the round trip to the simplified mesh"),
+             *([(f"{median(r['distance'] for r in done):.2f} %", "largest distance between both meshes, relative to the box: proved; median of the meshes")]
+               if done else []),
              (f"{hours:.1f} h" if hours >= 1 else f"{60 * hours:.1f} min", "of processing time, without pictures")]
     cards = "\n".join(f"<div class=\"card\"><strong>{number}</strong><span>{escape(what)}</span></div>" for number, what in facts)
     plots = "\n".join(f"<figure>{svg}</figure>" for svg in (

@@ -8,7 +8,6 @@ not processed again. All problems of a mesh are stored in its record. This scrip
 import json
 import multiprocessing
 import os
-import re
 import resource
 import shutil
 import signal
@@ -20,8 +19,9 @@ from pathlib import Path
 
 import data_set
 
-PARTS = "mesh", "simplified", "detail", "inner", "outer", "places"
-OUTCOMES = {2: "wrong usage", 3: "a file cannot be written", 5: "not certified", 6: "not simplified"}
+PARTS = {"mesh": ("_mesh.ply", "_failed_mesh.ply"), "simplified": ("_simplified.ply",), "places": ("_failed_places.ply",),
+         "inner": ("_inner.ply",), "outer": ("_outer.ply",), "shell": (".shell",)}     # files of the option `keep`
+OUTCOMES = {1: "refused", 2: "wrong usage", 3: "a file cannot be written", 4: "not certified"}
 DRAWING_SECONDS, ATTEMPTS = 120, 2
 THUMBNAIL = 320, 120
 
@@ -95,12 +95,12 @@ class Drawing:
         return False
 
 
-def run(command, seconds, megabytes, log):
+def run(command, seconds, megabytes, result, log):
     """Returns the exit code (negative for a signal), whether the time limit was reached, and times and memory."""
     start = time.monotonic()
     over = threading.Event()
-    with open(log, "wb") as out:
-        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT,
+    with open(result, "wb") as out, open(log, "wb") as errors:
+        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=errors,
                                    preexec_fn=lambda: limit_memory(megabytes))
 
         def end():
@@ -126,9 +126,9 @@ def first_line(log):
         return next((line.strip() for line in text if line.strip()), "")
 
 
-def outcome(code, over, log, file, options):
+def outcome(code, over, result, log, options):
     """Returns the outcome in two or three words, which are counted, and in a sentence without the file name."""
-    said = re.sub(rf"^{re.escape(str(file))}(, line \d+)?: ", "", first_line(log))
+    said = (result or {}).get("error") or first_line(log)
     if over:
         return "time limit", f"The program was stopped at the time limit of {options['time_limit']} s."
     if said.startswith("The time limit was reached"):
@@ -137,9 +137,9 @@ def outcome(code, over, log, file, options):
         return "memory limit", f"The program needs more than the memory limit of {options['memory_limit']} MB."
     if code < 0:
         return "crashed", f"The program ended with {signal.Signals(-code).name}. {said}".strip()
-    if code in (0, 4, 7):
-        return "done", {0: "", 4: "A bounding surface could not be extracted.", 7: said}[code]
-    return OUTCOMES.get(code, "refused" if code > 10 else "crashed"), said or f"The program ended with exit code {code}."
+    if code == 0:
+        return "done", ""
+    return OUTCOMES.get(code, "crashed"), said or f"The program ended with exit code {code}."
 
 
 def read_json(path):
@@ -170,22 +170,25 @@ def make(name, file, options, folder, draw):
         if deaths >= ATTEMPTS:
             record |= {"outcome": "killed", "reason": "The job died twice while it processed this mesh.", "exit": None}
         else:
-            command = [options["program"], str(file), "--output", str(prefix), "--threads", "1", "--time-limit", str(0.8 * options["time_limit"]),
-                       "--memory-limit", str(options["memory_limit"] / 1.5)]
+            command = [options["program"], "simplify", str(file), "-o", f"{prefix}_simplified.ply", "--shell", str(prefix), "--json",
+                       "--threads", "1", "--time-limit", str(0.8 * options["time_limit"]), "--memory-limit", str(options["memory_limit"] / 1.5)]
             command += ["--facets", str(options["facets"])] if options["facets"] else []
-            code, over, spent = run(command, options["time_limit"], options["memory_limit"], log)
-            record["outcome"], record["reason"] = outcome(code, over, log, file, options)
+            result = folder / "simplified.json"
+            code, over, spent = run(command, options["time_limit"], options["memory_limit"], result, log)
+            record["simplified"] = read_json(result)
+            result.unlink()
+            record["outcome"], record["reason"] = outcome(code, over, record["simplified"], log, options)
             record |= {"exit": code, **spent}
-            has_surface = any(Path(f"{prefix}_{part}.ply").exists() for part in ("outer", "places"))
-            is_drawable = code in (0, 5, 7) and has_surface
-            if options["pictures"] and is_drawable:
+            failed = Path(f"{prefix}_failed")
+            record["report"] = read_json(Path(f"{prefix if code == 0 else failed}.json"))
+            drawn = prefix if code == 0 else failed if Path(f"{failed}_places.ply").exists() else None
+            if options["pictures"] and drawn:
                 start = time.monotonic()
-                record["picture"] = draw(prefix, picture, options["memory_limit"], log)
+                record["picture"] = draw(drawn, picture, options["memory_limit"], log)
                 record["drawing_seconds"] = round(time.monotonic() - start, 3)
             for part in set(PARTS) - set(options["keep"].split()):
-                Path(f"{prefix}_{part}.ply").unlink(missing_ok=True)
-        for key, path in ("report", Path(f"{prefix}.json")), ("simplified", Path(f"{prefix}_simplified.json")):
-            record[key] = read_json(path)
+                for ending in PARTS[part]:
+                    Path(f"{prefix}{ending}").unlink(missing_ok=True)
     except BaseException:       # the run was terminated, but not because of the mesh
         mark.unlink(missing_ok=True)
         raise

@@ -2,7 +2,7 @@
 import json
 from collections import namedtuple
 
-from paths import MESHES, ROOT
+from paths import HERE, MESHES, ROOT
 from results import NOT_GIVEN, Results, count, parsed, percent
 from studies import make_gamma, make_gamma_impact, make_mu
 
@@ -21,13 +21,11 @@ def make_shells(making):
     }
     certified, times, lines, shells = 0, [], [], []
     for name, view in views.items():
-        output = making.run("simplify_and_transfer", MESHES / f"{name}.off", "--output", making.folder / name)
-        facets, = parsed(r"mesh +(\d+) facets", output)
-        state, width, cells, seconds = parsed(r"shell +(\w+); thickness (\S+) % of the bounding box; (\d+) cells; (\S+) s", output)
-        certified += state == "certified"
-        times.append(float(seconds))
-        lines.append(f"{name}: {percent(width)}, {count(cells)} cells, {times[-1]:.1f} s")
-        shells.append((str(making.folder / name), f"{name}: {facets} facets", *view))
+        found = json.loads(making.run("bspline_shell", "shell", MESHES / f"{name}.off", "-o", making.folder / name, "--json"))
+        certified += found["certification"] == "certified"
+        times.append(found["seconds"])
+        lines.append(f"{name}: {percent(100 * found['relative_thickness'])}, {count(found['cells'])} cells, {times[-1]:.1f} s")
+        shells.append((str(making.folder / name), f"{name}: {found['facets']} facets", *view))
     making.draw("drawing.draw_layers", shells, "shells.png")
     all_of_them = f"{certified} of {len(views)}"
     return Results(
@@ -43,7 +41,10 @@ def make_simplification(making):
     meshes = [MESHES / f"{name}.off" for name in names]
     found = [json.loads(line) for line in making.run("simplify_benchmark", *meshes).splitlines()]
     for name, mesh in zip(names, meshes):
-        making.run("simplify_and_transfer", mesh, "--output", making.folder / name)
+        making.run("bspline_shell", "simplify", mesh, "-o", making.folder / f"{name}_simplified.ply", "--shell", making.folder / name)
+        making.script(HERE.parent / "paint_meshes.py", making.folder / name)
+        making.run("bspline_shell", "transfer", *(making.folder / f"{name}_{part}.ply" for part in ("painted", "subdivided")),
+                   "-o", making.folder / f"{name}_detail.ply")
         making.draw("render_shell.main", making.folder / name, f"{name}.png")
 
     def lines(text):
@@ -199,7 +200,7 @@ FIGURES = [
         "A smooth function defines the inner and the outer surface of each shell. Its cells are refined until it is proved that the mesh lies "
         "between the two surfaces, and meets each of the curves that map it to other meshes in exactly one point.",
         "In all cases, our algorithm successfully generates well-defined implicit shells.", "Figure 6, Section 5.2",
-        (100, 50, 7), ["simplify_and_transfer"], make_shells),
+        (100, 50, 7), ["bspline_shell"], make_shells),
     Figure(
         "gamma", "Effect of the resolution γ",
         "γ is the number of equal cells along the longest side of the bounding box. Details smaller than a cell are lost: the shell becomes thick, "
@@ -223,7 +224,7 @@ FIGURES = [
         "simplification", "Simplification without self-intersections",
         "A mesh that is simplified in its shell does not intersect itself, and the attributes are transferred to it along the curves.",
         "While QEM successfully reduces the triangle count, it introduces self-intersections.", "Figure 11",
-        (300, 50, 20), ["simplify_benchmark", "simplify_and_transfer"], make_simplification),
+        (300, 50, 20), ["simplify_benchmark", "bspline_shell"], make_simplification),
     Figure(
         "geodesics", "Accurate distances on badly shaped triangles",
         "The heat method requires well-shaped triangles. It is applied to the mesh remeshed in its shell, and the distances are transferred back "

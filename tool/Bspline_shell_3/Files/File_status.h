@@ -45,8 +45,9 @@ inline const char* message(File_status status)
 struct File_report
 {
   File_status status = File_status::SUCCESS;
-  std::size_t line = 0;              // line at which reading failed; 0 if it is not known
-  std::vector<std::string> warnings; // sentences about data that is left out
+  std::size_t line = 0;                      // line at which reading failed; 0 if it is not known
+  std::vector<std::size_t> polygons, points; // the first ones that are wrong
+  std::vector<std::string> warnings;         // sentences about data that is left out
 
   explicit operator bool() const { return status == File_status::SUCCESS; }
 };

@@ -75,11 +75,19 @@ File_report read_model(const std::string& file, Model& model)
   if(!is_stream) found.files.push_back(file);
   report = read(contents, found);
   if(!report) return report;
-  for(const auto& polygon : found.soup.polygons)
-    for(std::size_t v : polygon)
-      if(v >= found.soup.points.size()) report.status = File_status::MISSING_POINT;
-  for(const auto& p : found.soup.points)
-    if(!(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()))) report.status = File_status::NOT_FINITE;
+  const auto& points = found.soup.points;
+  const auto& polygons = found.soup.polygons;
+  for(std::size_t n = 0; n < polygons.size() && report; ++n)
+    for(std::size_t v : polygons[n])
+      if(v >= points.size() && report) {
+        report.status = File_status::MISSING_POINT;
+        report.polygons = { n };
+      }
+  for(std::size_t v = 0; v < points.size() && report; ++v)
+    if(!(std::isfinite(points[v].x()) && std::isfinite(points[v].y()) && std::isfinite(points[v].z()))) {
+      report.status = File_status::NOT_FINITE;
+      report.points = { v };
+    }
   if(report && found.soup.polygons.empty()) report.status = File_status::NO_POLYGONS;
   if(report) model = std::move(found);
   return report;

@@ -27,6 +27,19 @@ Json changes(const Model& model, const BS::Shell_of_soup_3& found)
 
 } // namespace
 
+Edit_summary summary_of(const Edited& result, const std::string& input, const std::string& output)
+{
+  Edit_summary summary;
+  summary.input = input;
+  summary.output = output;
+  summary.facets_before = result.facets_before;
+  summary.facets = result.facets;
+  summary.distances = result.distances;
+  summary.thickness = result.thickness;
+  summary.is_rounded = result.is_rounded;
+  return summary;
+}
+
 Json json_of(const Edit_summary& summary, const Model& model, const BS::Shell_of_soup_3& found)
 {
   Json json;

@@ -2,6 +2,7 @@
 #ifndef TOOL_VERBS_EDIT_SUMMARY_H
 #define TOOL_VERBS_EDIT_SUMMARY_H
 
+#include "Edited.h"
 #include "Json.h"
 #include "distance_bound.h"
 
@@ -32,20 +33,8 @@ struct Edit_summary
   double seconds = 0;
 };
 
-// Begins a report with the results of an edit: of `Simplified` or `Remeshed`.
-template <typename Edited>
-Edit_summary summary_of(const Edited& result, const std::string& input, const std::string& output)
-{
-  Edit_summary summary;
-  summary.input = input;
-  summary.output = output;
-  summary.facets_before = result.facets_before;
-  summary.facets = result.facets;
-  summary.distances = result.distances;
-  summary.thickness = result.thickness;
-  summary.is_rounded = result.is_rounded;
-  return summary;
-}
+// Begins a report with what the edited mesh tells.
+Edit_summary summary_of(const Edited& result, const std::string& input, const std::string& output);
 
 // Returns the report, to which a verb may add members.
 Json json_of(const Edit_summary& summary, const Model& model, const BS::Shell_of_soup_3& found);

@@ -14,8 +14,11 @@ Outcome read_input(const std::string& file, Model& model)
   const File_report report = read_model(file, model);
   for(const std::string& warning : report.warnings) std::cerr << file << ": " << warning << "\n";
   if(report) return {};
-  return { WRONG_INPUT, file + (report.line > 0 ? ", line " + std::to_string(report.line) : ""),
-           message(report.status) };
+  BS::Offending_simplices offenders;
+  offenders.facets = report.polygons;
+  offenders.vertices = report.points;
+  return { WRONG_INPUT, file + (report.line > 0 ? ", line " + std::to_string(report.line) : ""), message(report.status),
+           offenders };
 }
 
 double longest_side(const Model& model)

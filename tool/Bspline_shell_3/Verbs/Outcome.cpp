@@ -45,11 +45,10 @@ int report(const Outcome& outcome, bool writes_json)
 
 std::string with_options(std::string message)
 {
-  static const std::map<std::string, std::string> options = { { "time_limit", "--time-limit" },
-                                                              { "weld_tolerance", "--weld" },
-                                                              { "thickness", "--thickness" },
-                                                              { "relative_thickness", "--thickness" },
-                                                              { "largest_excised_share", "--excise" } };
+  static const std::map<std::string, std::string> options = {
+    { "time_limit", "--time-limit" }, { "memory_limit", "--memory-limit" },    { "weld_tolerance", "--weld" },
+    { "thickness", "--thickness" },   { "relative_thickness", "--thickness" }, { "largest_excised_share", "--excise" }
+  };
   const auto is_of_name = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == ':'; };
   for(std::size_t open = message.find(" ("); open != std::string::npos; open = message.find(" (", open)) {
     const std::size_t close = message.find(')', open);

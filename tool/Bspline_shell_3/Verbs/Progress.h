@@ -6,13 +6,14 @@
 
 #include <unistd.h>
 
+#include <chrono>
 #include <iostream>
 #include <string>
 
 namespace Tool {
 
-// Shows the current step and its percentage in one line of a terminal, and prints nothing if errors are redirected. It
-// is a visitor of the construction of shells, whose steps have no known length.
+// Shows the current step, its percentage, and its remaining time in one line of a terminal, and prints nothing if
+// errors are redirected. It is a visitor of the construction of shells, whose steps have no known length.
 class Progress : public CGAL::Bspline_shells::Default_shell_visitor
 {
 public:
@@ -24,14 +25,22 @@ public:
   bool start_step(CGAL::Bspline_shells::Shell_step step)
   {
     constexpr double steps = 6;
-    show(std::string("shell: ") + name(step), double(step) / steps);
+    print(std::string("shell: ") + name(step), double(step) / steps, "");
     return true;
   }
   void show(const std::string& step, double fraction)
   {
-    if(!m_is_on_terminal) return;
-    clear();
-    std::cerr << step << " " << int(100 * fraction) << " %" << std::flush;
+    const auto now = std::chrono::steady_clock::now();
+    if(step != m_step) {
+      m_step = step;
+      m_start = now;
+    }
+    // An estimate from less than this would be wrong by far.
+    constexpr double least_fraction = 0.05, least_seconds = 2;
+    const double seconds = std::chrono::duration<double>(now - m_start).count();
+    const bool is_known = fraction >= least_fraction && seconds >= least_seconds;
+    print(step, fraction,
+          is_known ? ", " + std::to_string(int(seconds * (1 - fraction) / fraction) + 1) + " s left" : "");
   }
   void clear() const
   {
@@ -39,6 +48,15 @@ public:
   }
 
 private:
+  void print(const std::string& step, double fraction, const std::string& remaining) const
+  {
+    if(!m_is_on_terminal) return;
+    clear();
+    std::cerr << step << " " << int(100 * fraction) << " %" << remaining << std::flush;
+  }
+
+  std::string m_step;
+  std::chrono::steady_clock::time_point m_start;
   const bool m_is_on_terminal = isatty(STDERR_FILENO);
 };
 

@@ -52,10 +52,12 @@ void measure_edges(const Mesh& mesh, double target, Remeshed& result)
 
 } // namespace
 
-Remeshed remesh_in_shell(const Model& model, const BS::Shell_of_soup_3& found, const Remesh_target& target,
-                         const Time_limit& time, Progress& progress)
+Remeshed remesh_in_shell(const Model& model, const std::shared_ptr<const BS::Shell_of_soup_3>& shell,
+                         const Remesh_target& target, const Time_limit& time, Progress& progress)
 {
+  const BS::Shell_of_soup_3& found = *shell;
   Remeshed result;
+  result.found = shell;
   result.thickness = target.thickness;
   const auto fail = [&](const std::string& message) {
     result.message = with_options(message);

@@ -57,21 +57,24 @@ std::string write_files(const Contents& files)
 {
   const Without_interrupts guard;
   std::string failed;
-  for(const auto& file : files) {
-    if(file.first == stream_name) {
-      if(!std::cout.write(file.second.data(), std::streamsize(file.second.size())).flush()) failed = file.first;
+  for(const auto& [name, text] : files) {
+    if(!text) continue;
+    if(name == stream_name) {
+      if(!std::cout.write(text->data(), std::streamsize(text->size())).flush()) failed = name;
       continue;
     }
-    std::ofstream out(pending(file.first), std::ios::binary);
-    out.write(file.second.data(), std::streamsize(file.second.size()));
+    std::ofstream out(pending(name), std::ios::binary);
+    out.write(text->data(), std::streamsize(text->size()));
     out.close();
-    if(!out && failed.empty()) failed = file.first;
+    if(!out && failed.empty()) failed = name;
   }
-  for(const auto& file : files) {
-    if(file.first == stream_name) continue;
-    if(failed.empty() && std::rename(pending(file.first).c_str(), file.first.c_str()) != 0) failed = file.first;
-    std::remove(pending(file.first).c_str());
+  for(const auto& [name, text] : files) {
+    if(name == stream_name) continue;
+    if(failed.empty() && text && std::rename(pending(name).c_str(), name.c_str()) != 0) failed = name;
+    std::remove(pending(name).c_str());
   }
+  for(const auto& [name, text] : files)
+    if(failed.empty() && !text) std::remove(name.c_str());
   return failed;
 }
 

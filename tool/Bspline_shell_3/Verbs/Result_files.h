@@ -3,14 +3,15 @@
 #define TOOL_VERBS_RESULT_FILES_H
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace Tool {
 
-// pairs of a name and the contents
-typedef std::vector<std::pair<std::string, std::string> > Contents;
+// names and contents of files; a file without contents is removed
+typedef std::vector<std::pair<std::string, std::optional<std::string> > > Contents;
 
 // Returns whether a file can be created, without changing it.
 bool is_writable(const std::string& file);

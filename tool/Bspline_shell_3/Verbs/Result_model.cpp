@@ -25,14 +25,15 @@ Outcome write_result(const Model& model, const std::string& output, const std::v
                      const Contents& other_files, std::vector<std::string>& attributes,
                      std::vector<std::string>& warnings)
 {
-  Written_files written = write_model(model, output);
-  written.files.insert(written.files.end(), other_files.begin(), other_files.end());
-  for(const auto& file : written.files)
+  const Written_files written = write_model(model, output);
+  Contents files(written.files.begin(), written.files.end());
+  files.insert(files.end(), other_files.begin(), other_files.end());
+  for(const auto& file : files)
     for(const Model* other : inputs)
       for(const std::string& input : other->files)
         if(is_same_file(file.first, input))
           return { WRONG_USAGE, file.first, "The result would replace a part of the input: choose another name." };
-  const std::string failed = write_files(written.files);
+  const std::string failed = write_files(files);
   if(!failed.empty()) return { CANNOT_WRITE, failed, message(File_status::CANNOT_WRITE) };
   attributes.insert(attributes.end(), written.attributes.begin(), written.attributes.end());
   warnings.insert(warnings.end(), written.warnings.begin(), written.warnings.end());

@@ -2,24 +2,21 @@
 #ifndef TOOL_VERBS_SIMPLIFIED_H
 #define TOOL_VERBS_SIMPLIFIED_H
 
+#include "Edited.h"
 #include "Progress.h"
 #include "Time_limit.h"
 #include "cut_lines.h"
-#include "distance_bound.h"
 
 #include "../Carry/Mesh_origins.h"
 #include "../Files/Model.h"
 
-#include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
 #include <CGAL/Bspline_shell_3/Soup/Shell_of_soup_3.h>
-#include <CGAL/Bspline_shell_3/Soup/rejoin_excised.h>
 
 #include <cstddef>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <set>
-#include <string>
 
 namespace Tool {
 
@@ -46,26 +43,13 @@ struct Simplify_target
   std::set<Mesh::Point> pins;                                         // vertices that are kept
 };
 
-// A mesh that replaces the mesh of a shell, and is certified in it.
-struct Simplified
+struct Simplified : Edited
 {
-  std::string message; // the reason if there is no result
-  std::shared_ptr<const BS::Shell_of_soup_3> found;
-  Mesh mesh;
-  BS::Rejoined_soup_3 rejoined;                       // the mesh and the excised triangles, if there are any
-  std::shared_ptr<const BS::Shell_closing_3> closing; // triangles that close the mesh if it is open
   Limit limit = Limit::MESH;
-  std::size_t facets_before = 0, facets = 0; // numbers for the whole surface
   std::size_t removed_border_edges = 0;
-  std::size_t lines = 0;        // edges on lines before the simplification, or at which facets were cut
   bool keeps_lines = true;      // whether lines were kept together
   std::optional<Cut_lines> cut; // if the mesh was to be cut along lines
-  bool is_rounded = false;      // whether coordinates are those of a file of floats
   std::size_t pins = 0;         // vertices that were kept because of the tolerance
-  double thickness = 0;         // requested thickness of the shell
-  Distance_bounds distances;    // between the model and the result
-
-  explicit operator bool() const { return message.empty(); }
 };
 
 // Simplifies the mesh of a certified shell. The search for facets ends when a part of the time is over, such that time

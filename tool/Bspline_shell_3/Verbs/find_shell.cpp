@@ -20,6 +20,7 @@ Outcome find_shell(const Model& model, const Shell_options& options, double thic
   if(options.weld) weld = options.weld->in_box(longest_side(model));
   found = CGAL::certified_shell_of_soup_3(model.soup, BS::parameters::thickness(thickness)
                                                         .time_limit(seconds)
+                                                        .memory_limit(1e6 * options.megabytes)
                                                         .weld_tolerance(weld)
                                                         .largest_excised_share(options.excised_percentage / 100)
                                                         .visitor(std::ref(progress)));

@@ -1,13 +1,14 @@
-#include "Edit_summary.h"
 #include "Input.h"
 #include "Remeshed.h"
+#include "Result_files.h"
 #include "Result_model.h"
+#include "Shell_files.h"
+#include "edit.h"
 #include "number.h"
 #include "verbs.h"
 
-#include "../Files/File_status.h"
-
 #include <iostream>
+#include <memory>
 #include <string>
 
 namespace Tool {
@@ -33,34 +34,24 @@ std::string message_of_end(const Remeshed& result)
 
 Outcome remesh(const Remesh_options& options, bool writes_json)
 {
-  if(const Outcome output = check_output(options.output, { options.input }); !output) return output;
   Model model;
-  if(const Outcome read = read_input(options.input, model); !read) return read;
-  if(!is_writable(options.output)) return { CANNOT_WRITE, options.output, message(File_status::CANNOT_WRITE) };
-
+  if(const Outcome opened = open_edit(options, model); !opened) return opened;
   const Time_limit time(options.seconds);
   Progress progress;
   const double unit = longest_side(model);
   const Remesh_target target{ thickness_of(options, unit), options.edge->in_box(unit), options.feature,
                               rounds_coordinates(model, options.output) };
-  BS::Shell_of_soup_3 found;
-  if(const Outcome shell = find_shell(model, options, target.thickness, time.left(), progress, found); !shell)
-    return shell;
+  const auto found = std::make_shared<BS::Shell_of_soup_3>();
+  if(const Outcome shell = find_shell(model, options, target.thickness, time.left(), progress, *found); !shell)
+    return options.shell.empty() ? shell : write_failure(shell, options.shell, *found, options.input);
   const Remeshed result = remesh_in_shell(model, found, target, time, progress);
   if(!result) return { NOT_CERTIFIED, options.input, result.message };
   Edit_summary summary = summary_of(result, options.input, options.output);
-  const Model output = carry_attributes(model, found, result.mesh, result.closing, result.rejoined,
-                                        options.carries_normals ? Normals::CARRIED : Normals::RECOMPUTED,
-                                        summary.carried,
-                                        [&](double fraction) { progress.show("attributes", fraction); });
-  progress.clear();
-  if(const Outcome written = write_result(output, options.output, { &model }, {}, summary.attributes, summary.warnings);
-     !written)
-    return written;
+  if(const Outcome written = write_edit(options, model, result, progress, summary); !written) return written;
   summary.limit = message_of_end(result);
   summary.seconds = time.seconds();
   if(writes_json) {
-    Json json = json_of(summary, model, found);
+    Json json = json_of(summary, model, *found);
     json.add("edge", target.edge)
       .add("mean_edge", result.mean_edge)
       .add("share_near_edge", result.share_near_target)
@@ -70,7 +61,7 @@ Outcome remesh(const Remesh_options& options, bool writes_json)
     report_stream(options.output) << json.text() << std::endl;
     return DONE;
   }
-  print(summary, model, found,
+  print(summary, model, *found,
         { { "edges", percent(result.share_near_target) + " from 4/5 to 4/3 of " + number(target.edge) + "; mean length "
                        + number(result.mean_edge) },
           { "lines",

@@ -1,11 +1,9 @@
-#include "Edit_summary.h"
 #include "Input.h"
-#include "Result_model.h"
+#include "Result_files.h"
+#include "Shell_files.h"
+#include "edit.h"
 #include "number.h"
 #include "verbs.h"
-
-#include "../Carry/carry_attributes.h"
-#include "../Files/File_status.h"
 
 #include <iostream>
 #include <string>
@@ -38,15 +36,15 @@ std::string message_of_limit(const Simplified& result)
 
 Outcome simplify(const Simplify_options& options, bool writes_json)
 {
-  if(const Outcome output = check_output(options.output, { options.input }); !output) return output;
   Model model;
-  if(const Outcome read = read_input(options.input, model); !read) return read;
-  if(!is_writable(options.output)) return { CANNOT_WRITE, options.output, message(File_status::CANNOT_WRITE) };
-
+  if(const Outcome opened = open_edit(options, model); !opened) return opened;
   const Time_limit time(options.seconds);
   Progress progress;
   Simplified result;
-  if(const Outcome simplified = simplify_model(model, options, time, progress, result); !simplified) return simplified;
+  if(const Outcome simplified = simplify_model(model, options, time, progress, result); !simplified)
+    return options.shell.empty() || !result.found
+             ? simplified
+             : write_failure(simplified, options.shell, *result.found, options.input);
   const BS::Shell_of_soup_3& found = *result.found;
   const double tolerance = options.tolerance ? options.tolerance->in_box(longest_side(model)) : 0;
   if(options.tolerance && result.distances.largest() > tolerance)
@@ -57,14 +55,7 @@ Outcome simplify(const Simplify_options& options, bool writes_json)
                               : std::string("Use a larger --tolerance.")) };
 
   Edit_summary summary = summary_of(result, options.input, options.output);
-  const Model output = carry_attributes(model, found, result.mesh, result.closing, result.rejoined,
-                                        options.carries_normals ? Normals::CARRIED : Normals::RECOMPUTED,
-                                        summary.carried,
-                                        [&](double fraction) { progress.show("attributes", fraction); });
-  progress.clear();
-  if(const Outcome written = write_result(output, options.output, { &model }, {}, summary.attributes, summary.warnings);
-     !written)
-    return written;
+  if(const Outcome written = write_edit(options, model, result, progress, summary); !written) return written;
   summary.reaches_target = (options.facets == 0 && options.ratio == 0) || result.limit == Limit::FACETS;
   summary.removed_border_edges = result.removed_border_edges;
   summary.limit = message_of_limit(result);

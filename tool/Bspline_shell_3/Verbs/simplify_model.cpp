@@ -38,7 +38,7 @@ Simplified simplify_within_tolerance(const Model& model, const std::shared_ptr<c
 class Search
 {
 public:
-  Search(const Model& model, const Edit_options& options, const Time_limit& time, Progress& progress)
+  Search(const Model& model, const Simplify_options& options, const Time_limit& time, Progress& progress)
     : m_model(model), m_options(options), m_time(time), m_progress(progress), m_side(longest_side(model))
   {
     m_target.facets = options.facets > 0 ? options.facets
@@ -64,7 +64,10 @@ public:
       if(next == thickness) break;
       thickness = next;
     }
-    if(!m_best) return failure;
+    if(!m_best) {
+      result.found = m_first;
+      return failure;
+    }
     if(misses_target(*m_best) && m_best->keeps_lines && m_best->lines > 0 && !m_options.cuts_lines) {
       m_target.keeps_lines = false;
       Simplified without_lines = simplify(m_best->found, m_best->thickness);
@@ -112,6 +115,7 @@ private:
   {
     const auto found = std::make_shared<BS::Shell_of_soup_3>();
     const Outcome outcome = find_shell(m_model, m_options, thickness, m_time.left(), m_progress, *found);
+    if(!m_first) m_first = found;
     if(!outcome) return outcome;
     m_current = simplify(found, thickness);
     if(!m_current) return { NOT_CERTIFIED, m_options.input, m_current.message };
@@ -135,18 +139,19 @@ private:
   }
 
   const Model& m_model;
-  const Edit_options& m_options;
+  const Simplify_options& m_options;
   const Time_limit& m_time;
   Progress& m_progress;
   double m_side;
   Simplify_target m_target;
+  std::shared_ptr<const BS::Shell_of_soup_3> m_first; // certified or not
   Simplified m_current;
   std::optional<Simplified> m_best; // the one with the fewest facets of those that keep the tolerance, if any does
 };
 
 } // namespace
 
-Outcome simplify_model(const Model& model, const Edit_options& options, const Time_limit& time, Progress& progress,
+Outcome simplify_model(const Model& model, const Simplify_options& options, const Time_limit& time, Progress& progress,
                        Simplified& result)
 {
   return Search(model, options, time, progress)(result);

@@ -2,20 +2,18 @@
 #ifndef TOOL_VERBS_SIMPLIFY_MODEL_H
 #define TOOL_VERBS_SIMPLIFY_MODEL_H
 
+#include "Edit_options.h"
 #include "Progress.h"
 #include "Simplified.h"
 #include "Time_limit.h"
-#include "find_shell.h"
 
 #include <cstddef>
 #include <optional>
-#include <string>
 
 namespace Tool {
 
-struct Edit_options : Shell_options
+struct Simplify_options : Edit_options
 {
-  std::string output;
   std::optional<Length> tolerance, border;
   std::size_t facets = 0; // 0 if there is no target
   double ratio = 0;       // 0 if there is no target
@@ -27,8 +25,8 @@ struct Edit_options : Shell_options
 //   thinner ones while it is exceeded at many places. At few places, the original facets are kept.
 // - Without a tolerance, thicker shells are tried until the number of facets is reached.
 // Lines are cut into the result, or they are kept as edges and given up if this is necessary and sufficient to reach
-// the number of facets.
-Outcome simplify_model(const Model& model, const Edit_options& options, const Time_limit& time, Progress& progress,
+// the number of facets. If there is no certified shell, the result refers to the one of the first attempt.
+Outcome simplify_model(const Model& model, const Simplify_options& options, const Time_limit& time, Progress& progress,
                        Simplified& result);
 
 } // namespace Tool

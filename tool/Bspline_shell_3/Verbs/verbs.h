@@ -2,6 +2,7 @@
 #ifndef TOOL_VERBS_VERBS_H
 #define TOOL_VERBS_VERBS_H
 
+#include "Edit_options.h"
 #include "Outcome.h"
 #include "find_shell.h"
 #include "simplify_model.h"
@@ -12,18 +13,12 @@
 
 namespace Tool {
 
-struct Simplify_options : Edit_options
-{
-  bool carries_normals = false;
-};
 Outcome simplify(const Simplify_options& options, bool writes_json);
 
-struct Remesh_options : Shell_options
+struct Remesh_options : Edit_options
 {
-  std::string output;
   std::optional<Length> edge; // always given
   double feature = 60;        // in degrees; edges with a larger angle between the normals of their facets are kept
-  bool carries_normals = false;
 };
 Outcome remesh(const Remesh_options& options, bool writes_json);
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Processes a small data set on a Slurm cluster of one node, which is set up in a temporary folder and removed
 # afterward:
-#   sudo bash run_test.sh PROGRAM MESH...       (PROGRAM: simplify_and_transfer)
+#   sudo bash run_test.sh PROGRAM MESH...       (PROGRAM: bspline_shell)
 # Requires root, and the Debian packages slurmctld, slurmd, slurm-client, munge and snakemake. If a requirement is
 # missing, or Slurm is already running, the exit code is 77.
 set -euo pipefail
