@@ -3,20 +3,15 @@
 // (Surface_mesh_shortest_path). Prints one JSON object per line, for each mesh and number of edges along the longest
 // side of the box.
 //
-//   geodesics_benchmark [--edges N,N,...] [--sources K] [--thickness T] [--grading R] [MESH ...]
+//   geodesics_benchmark [--edges N,N,...] [--sources K] [--thickness T] [MESH ...]
 //
 // By default, N is 25, 50, 100 and 150, and K is 5: sources are vertices at equal steps of their indices. The proxy
 // keeps them as constrained vertices. Errors are in percent of the largest exact distance, over all vertices and
 // sources; "beyond_3" is the share of vertices with an error of more than 3 %, as in the histograms of the paper.
-// Facets outside the certified shell are frozen, and "certified" is false. With R > 1, there are two more proxies for
-// each N, with edges up to R times as long: shorter where the mesh is thin ("gap"), or where level sets of the field
-// are curved ("curvature"). On proxies, the heat method is also solved with half of CGAL's time step.
+// Facets outside the certified shell are frozen, and "certified" is false.
 #include "../meshes_in_shell.h"
-#include "Graded_length.h"
 
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
-#include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
-#include <CGAL/Bspline_shell_3/Mesh/Local_gap_3.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
 
@@ -29,7 +24,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <functional>
 #include <iostream>
 #include <limits>
 #include <optional>
@@ -52,21 +46,10 @@ Values exact_distances(const Mesh& mesh, Vertex source)
   return result;
 }
 
-// The time step is the square of the mean length of the edges, and cannot be set. Lengths divided by the root of two
-// halve it.
-struct Half_time_step : Kernel
-{
-  struct Compute_squared_distance_3
-  {
-    double operator()(const Point_3& p, const Point_3& q) const { return CGAL::squared_distance(p, q) / 2; }
-  };
-  Compute_squared_distance_3 compute_squared_distance_3_object() const { return {}; }
-};
-
-template <typename Mode, typename Traits = CGAL::Default>
+template <typename Mode>
 void heat_distances(Mesh& mesh, Vertex source, Distance distance)
 {
-  HM::Surface_mesh_geodesic_distances_3<Mesh, Mode, CGAL::Default, CGAL::Default, Traits> heat(mesh);
+  HM::Surface_mesh_geodesic_distances_3<Mesh, Mode> heat(mesh);
   heat.add_source(source);
   heat.estimate_geodesic_distances(distance);
 }
@@ -117,37 +100,8 @@ Errors direct(const Mesh& mesh, const std::vector<Vertex>& sources, const std::v
   return errors;
 }
 
-typedef std::function<double(const Kernel::Point_3&)> Sizing;
-
-// Returns a uniform sizing, and sizings between a length and a multiple of it.
-std::vector<std::pair<std::string, Sizing> > sizings(const Shell& shell, const Mesh& mesh, double length,
-                                                     double grading)
-{
-  std::vector<std::pair<std::string, Sizing> > result = { { "uniform",
-                                                            [length](const Kernel::Point_3&) { return length; } } };
-  BS::Input_mesh_3 input;
-  if(!(grading > 1)
-     || input.build<CGAL::Sequential_tag>(mesh, mesh.points(), BS::Input_mesh_3::Tolerated_defects(), shell.closing(),
-                                          shell.truncation())
-          != BS::Shell_status::SUCCESS)
-    return result;
-  const BS::Local_gap_3 gap(input);
-  std::vector<Kernel::Point_3> points;
-  std::vector<double> gaps, roots;
-  for(const auto& [f, w] : random_locations(input.mesh(), 200000, 1)) {
-    const auto t = input.triangle(f);
-    points.push_back(CGAL::barycenter(t[0], w[0], t[1], w[1], t[2], w[2]));
-    const BS::Local_gap_3::Point p = { points.back().x(), points.back().y(), points.back().z() };
-    gaps.push_back(gap(f, &p, 1, CGAL::NEGATIVE, shell.report().unit / 4));
-    roots.push_back(root_of_least_radius(shell.field(), points.back()));
-  }
-  result.emplace_back("gap", Graded_length(points, gaps, length, grading * length));
-  result.emplace_back("curvature", Graded_length(points, roots, length, grading * length));
-  return result;
-}
-
 void measure(const std::string& file, const std::vector<double>& all_edges, std::size_t number_of_sources,
-             double thickness, double grading)
+             double thickness)
 {
   Mesh mesh;
   std::optional<Shell> shell;
@@ -169,7 +123,7 @@ void measure(const std::string& file, const std::vector<double>& all_edges, std:
   const Errors plain = direct<HM::Direct>(mesh, sources, exact),
                intrinsic = direct<HM::Intrinsic_Delaunay>(mesh, sources, exact);
 
-  const auto measure_proxy = [&](double edges, const std::string& name, const Sizing& sizing) {
+  for(double edges : all_edges) {
     Mesh proxy = mesh;
     auto source = proxy.add_property_map<Vertex, int>("v:source", -1).first;
     auto is_source = proxy.add_property_map<Vertex, bool>("v:is_source", false).first;
@@ -181,16 +135,15 @@ void measure(const std::string& file, const std::vector<double>& all_edges, std:
     CGAL::Polygon_mesh_processing::detect_sharp_edges(proxy, 60, sharp);
     timer.reset();
     const auto report = BS::remesh_in_shell(
-      proxy, sizing, *shell,
+      proxy, shell->report().unit / edges, *shell,
       BS::parameters::edge_is_constrained_map(sharp).vertex_is_constrained_map(is_source).freeze_rejected_facets(
         !shell->is_certified()));
     const double remeshing_seconds = timer.time();
     std::cout << "{\"mesh\":" << quoted(mesh_name(file)) << ",\"facets\":" << mesh.number_of_faces()
-              << ",\"certified\":" << (shell->is_certified() ? "true" : "false") << ",\"edges\":" << edges
-              << ",\"sizing\":" << quoted(name);
+              << ",\"certified\":" << (shell->is_certified() ? "true" : "false") << ",\"edges\":" << edges;
     if(!report && report.status != BS::Edit_status::PARTIALLY_EDITED) {
       std::cout << ",\"status\":" << quoted(BS::message(report.status)) << "}" << std::endl;
-      return;
+      continue;
     }
     proxy.collect_garbage();
     std::vector<Vertex> on_proxy(sources.size());
@@ -200,11 +153,11 @@ void measure(const std::string& file, const std::vector<double>& all_edges, std:
     const BS::Shell_map_3<Shell, Mesh> map(*shell, proxy, mesh);
     const Distance on_mesh = mesh.add_property_map<Vertex, double>("v:distance").first,
                    distance = proxy.add_property_map<Vertex, double>("v:distance").first;
-    Errors direct_errors, intrinsic_errors, half_errors;
-    const auto solve = [&](auto mode, auto traits, Errors& errors) {
+    Errors direct_errors, intrinsic_errors;
+    const auto solve = [&](auto mode, Errors& errors) {
       timer.reset();
       for(std::size_t s = 0; s < sources.size(); ++s) {
-        heat_distances<decltype(mode), decltype(traits)>(proxy, on_proxy[s], distance);
+        heat_distances<decltype(mode)>(proxy, on_proxy[s], distance);
         BS::transfer_vertex_attribute(map, distance, on_mesh,
                                       BS::parameters::default_value(std::numeric_limits<double>::quiet_NaN()));
         Values found;
@@ -213,18 +166,14 @@ void measure(const std::string& file, const std::vector<double>& all_edges, std:
       }
       errors.seconds = timer.time();
     };
-    solve(HM::Direct(), CGAL::Default(), direct_errors);
-    solve(HM::Intrinsic_Delaunay(), CGAL::Default(), intrinsic_errors);
-    solve(HM::Direct(), Half_time_step(), half_errors);
+    solve(HM::Direct(), direct_errors);
+    solve(HM::Intrinsic_Delaunay(), intrinsic_errors);
     std::cout << ",\"direct\":" << plain << ",\"intrinsic\":" << intrinsic
               << ",\"proxy\":{\"facets\":" << proxy.number_of_faces() << ",\"direct\":" << direct_errors
-              << ",\"intrinsic\":" << intrinsic_errors << ",\"half_time_step\":" << half_errors << "}"
+              << ",\"intrinsic\":" << intrinsic_errors << "}"
               << ",\"seconds\":{\"shell\":" << shell_seconds << ",\"remeshing\":" << remeshing_seconds << "}}"
               << std::endl;
-  };
-  for(double edges : all_edges)
-    for(const auto& [name, sizing] : sizings(*shell, mesh, shell->report().unit / edges, grading))
-      measure_proxy(edges, name, sizing);
+  }
 }
 
 int main(int argc, char** argv)
@@ -232,7 +181,7 @@ int main(int argc, char** argv)
   print_JSON_numbers();
   std::vector<double> edges;
   std::size_t sources = 5;
-  double thickness = 0.01, grading = 1;
+  double thickness = 0.01;
   std::vector<std::string> files;
   for(int i = 1; i < argc; ++i) {
     const std::string arg = argv[i];
@@ -241,19 +190,16 @@ int main(int argc, char** argv)
       for(std::string n; std::getline(list, n, ',');) edges.push_back(std::atof(n.c_str()));
     } else if(arg == "--sources" && i + 1 < argc) sources = std::size_t(std::atoll(argv[++i]));
     else if(arg == "--thickness" && i + 1 < argc) thickness = std::atof(argv[++i]);
-    else if(arg == "--grading" && i + 1 < argc) grading = std::atof(argv[++i]);
     else files.push_back(arg);
   }
   if(edges.empty()) edges = { 25, 50, 100, 150 };
-  if(sources == 0 || !(thickness > 0) || !(grading >= 1)
-     || !std::all_of(edges.begin(), edges.end(), [](double n) { return n > 0; })) {
-    std::cerr
-      << "Usage: geodesics_benchmark [--edges N,N,...] [--sources K] [--thickness T] [--grading R] [MESH ...]\n";
+  if(sources == 0 || !(thickness > 0) || !std::all_of(edges.begin(), edges.end(), [](double n) { return n > 0; })) {
+    std::cerr << "Usage: geodesics_benchmark [--edges N,N,...] [--sources K] [--thickness T] [MESH ...]\n";
     return 2;
   }
   if(files.empty())
     for(const char* name : { "hand", "blobby", "elephant", "fandisk", "anchor_dense", "rotor", "bear", "dino" })
       files.push_back(std::string(MESHES "/") + name + ".off");
-  for(const std::string& file : files) measure(file, edges, sources, thickness, grading);
+  for(const std::string& file : files) measure(file, edges, sources, thickness);
   return EXIT_SUCCESS;
 }
