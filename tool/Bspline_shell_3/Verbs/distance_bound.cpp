@@ -14,8 +14,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -49,6 +51,8 @@ struct Sample
   double distance;
 };
 
+typedef std::array<Sample, 3> Part; // of a facet
+
 struct One_sided_bound
 {
   double distance = 0;
@@ -74,18 +78,15 @@ public:
   // known distance.
   One_sided_bound operator()() const
   {
-    double farthest = 0;
-    for(const Sample& s : m_samples) farthest = (std::max)(farthest, s.distance);
-    const double known = (std::max)(excess * farthest, m_resolution);
     std::vector<double> bound(m_mesh.num_faces());
-    std::vector<std::vector<Target::Index> > closest(bound.size());
     for_each_number(bound.size(), [&](std::size_t n) {
-      std::array<Sample, 3> corners;
-      std::size_t i = 0;
-      for(auto v : m_mesh.vertices_around_face(m_mesh.halfedge(Mesh::Face_index(Mesh::size_type(n)))))
-        corners[i++] = m_samples[v];
-      bound[n] = of_triangle(corners, known, closest[n]);
+      const Part c = corners(n);
+      bound[n] = (std::max)(
+        { sample((c[0].point + c[1].point + c[2].point) / 3).distance, c[0].distance, c[1].distance, c[2].distance });
     });
+    const double known = (std::max)(excess * *std::max_element(bound.begin(), bound.end()), m_resolution);
+    std::vector<std::vector<Target::Index> > closest(bound.size());
+    for_each_number(bound.size(), [&](std::size_t n) { bound[n] = of_triangle(corners(n), known, closest[n]); });
     One_sided_bound result;
     result.distance = *std::max_element(bound.begin(), bound.end()) * (1 + rounding) + rounding * m_largest_coordinate;
     for(std::size_t n = 0; n < bound.size(); ++n)
@@ -95,6 +96,15 @@ public:
   }
 
 private:
+  Part corners(std::size_t facet) const
+  {
+    Part result;
+    std::size_t i = 0;
+    for(auto v : m_mesh.vertices_around_face(m_mesh.halfedge(Mesh::Face_index(Mesh::size_type(facet)))))
+      result[i++] = m_samples[v];
+    return result;
+  }
+
   Sample sample(const Vector_3& p) const
   {
     const Target::Index facet = m_target.closest({ p[0], p[1], p[2] }).first;
@@ -110,13 +120,72 @@ private:
     return (w[0] * t[0] + w[1] * t[1] + w[2] * t[2] - p).norm();
   }
 
+  // Returns a point between two samples that is about as far from the closest facet of each. The middle is returned if
+  // this point is too close to a sample for parts to become smaller.
+  Vector_3 split_point(const Sample& s, const Sample& t) const
+  {
+    constexpr int steps = 20;
+    constexpr double least = 0.02; // fraction of the distance between the samples
+    double low = 0, high = 1;
+    for(int i = 0; i < steps; ++i) {
+      const double middle = (low + high) / 2;
+      const Vector_3 p = (1 - middle) * s.point + middle * t.point;
+      (distance(p, s.facet) < distance(p, t.facet) ? low : high) = middle;
+    }
+    if(!(low >= least && high <= 1 - least)) low = 0.5;
+    return (1 - low) * s.point + low * t.point;
+  }
+
+  // Returns the point of a part that is closest to a corner of one of its closest facets, unless it is near the border
+  // of the part.
+  std::optional<Vector_3> inner_corner(const Part& part) const
+  {
+    constexpr double least = 0.1; // barycentric coordinate; otherwise, the parts would be slivers
+    const Triangle t = { part[0].point, part[1].point, part[2].point };
+    for(const Sample& s : part)
+      for(int i = 0; i < 3; ++i) {
+        const auto w = closest_weights(Vector_3(m_target.vertex(s.facet, i).data()), t);
+        if((std::min)({ w[0], w[1], w[2] }) > least) return w[0] * t[0] + w[1] * t[1] + w[2] * t[2];
+      }
+    return std::nullopt;
+  }
+
+  // Splits a part at a corner of the other mesh; or where neither of the facets that are closest to the ends of an edge
+  // is within a distance of the whole edge; or in the middle of the longest edge. Short edges are not split, so that
+  // parts become smaller.
+  void split(const Part& part, double within, std::vector<Part>& parts) const
+  {
+    const auto add = [&](const Sample& s, std::initializer_list<std::size_t> replaced) {
+      for(std::size_t i : replaced) {
+        parts.push_back(part);
+        parts.back()[i] = s;
+      }
+    };
+    if(const auto corner = inner_corner(part)) return add(sample(*corner), { 0, 1, 2 });
+    const auto length = [&](std::size_t i) { return (part[i].point - part[(i + 1) % 3].point).norm(); };
+    const auto changes = [&](std::size_t i) {
+      const Sample &s = part[i], &t = part[(i + 1) % 3];
+      return distance(t.point, s.facet) > within && distance(s.point, t.facet) > within;
+    };
+    std::size_t longest = 0;
+    for(std::size_t i = 1; i < 3; ++i)
+      if(length(i) > length(longest)) longest = i;
+    std::size_t changing = 3;
+    for(std::size_t i = 0; i < 3; ++i)
+      if(2 * length(i) >= length(longest) && changes(i) && (changing == 3 || length(i) > length(changing)))
+        changing = i;
+    const std::size_t i = changing < 3 ? changing : longest, next = (i + 1) % 3;
+    add(sample(changing < 3 ? split_point(part[i], part[next]) : Vector_3((part[i].point + part[next].point) / 2)),
+        { i, next });
+  }
+
   // Parts that are not within the limit add the closest facets to a list.
-  double of_triangle(const std::array<Sample, 3>& corners, double known, std::vector<Target::Index>& closest) const
+  double of_triangle(const Part& corners, double known, std::vector<Target::Index>& closest) const
   {
     double bound = 0;
-    std::vector<std::array<Sample, 3> > parts = { corners };
+    std::vector<Part> parts = { corners };
     while(!parts.empty()) {
-      const std::array<Sample, 3> part = parts.back();
+      const Part part = parts.back();
       parts.pop_back();
       double of_part = std::numeric_limits<double>::infinity();
       for(const Sample& nearest : part) {
@@ -126,23 +195,12 @@ private:
       }
       double least = 0;
       for(const Sample& s : part) least = (std::max)(least, s.distance);
-      const double sufficient = (std::min)((std::max)(known, bound), m_limit);
-      if(of_part <= (std::max)(sufficient, excess * least)) {
+      const double sufficient = (std::max)((std::min)((std::max)(known, bound), m_limit), excess * least);
+      if(of_part <= sufficient) {
         bound = (std::max)(bound, of_part);
         if(of_part > m_limit)
           for(const Sample& s : part) closest.push_back(s.facet);
-        continue;
-      }
-      std::size_t longest = 0;
-      const auto length = [&](std::size_t i) { return (part[i].point - part[(i + 1) % 3].point).squaredNorm(); };
-      for(std::size_t i = 1; i < 3; ++i)
-        if(length(i) > length(longest)) longest = i;
-      const std::size_t next = (longest + 1) % 3;
-      const Sample middle = sample((part[longest].point + part[next].point) / 2);
-      parts.push_back(part);
-      parts.back()[longest] = middle;
-      parts.push_back(part);
-      parts.back()[next] = middle;
+      } else split(part, sufficient, parts);
     }
     return bound;
   }
