@@ -168,7 +168,7 @@ TEST_CASE("Closing: two sheets back to back, closer than the offset, get back sh
 TEST_CASE("Closing: if only triangles of the closing intersect, the facets at their vertices are named")
 {
   // Back sheets are not closer than 1/16384 of the offset, so that those of both sheets do not fit between them.
-  const double offset = 0.2, gap = 1.5 * offset / 16384;
+  const double offset = 0.2, gap = 0.75 * offset / 16384;
   const Mesh front = sheet(steps(0, 1, 3), steps(0, 1, 3)),
              mesh = joined(front,
                            reversed(mapped(front, [&](const Point_3&p) { return Point_3(p.x(), p.y(), -gap); })));

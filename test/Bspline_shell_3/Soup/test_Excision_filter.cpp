@@ -115,6 +115,8 @@ TEST_CASE("Excision filter: on request, a collapse must not add a contact with e
   CHECK(passes(soup, from_below, above, rejected));
   // Facets that share a vertex or an edge with the triangle do not meet it elsewhere.
   CHECK(passes(soup, { far, above, { { far, a, b }, { far, e, above } } }, Point_3(0, 0, -5), rejected));
+  const Point_3 v(1, 0.1, -3), t(2, 0, -3);
+  CHECK(passes(soup, { far, b, { { far, v, t } } }, b, rejected));
 }
 
 TEST_CASE("Excision filter: a mesh simplified with it and with constrained pins can replace the mesh of the soup")

@@ -100,6 +100,9 @@ TEST_CASE("Choice of an excision: a large triangle at an edge or a vertex of sma
   add_triangle(at_vertex, p, far, CGAL::ORIGIN + 2 * (q - CGAL::ORIGIN));
   for(const BS::Polygon_soup& soup : { at_edge, at_vertex })
     CHECK(checked(soup).excised_triangles() == std::vector<std::size_t>{ size });
+  BS::Polygon_soup at_border = soup_of(sheet(steps(0, 1, 20), steps(0, 1, 20)));
+  add_triangle(at_border, Point_3(0.5, 0, 0), Point_3(0.4, -1, 0), Point_3(0.6, -1, 0));
+  CHECK(checked(at_border).excised_triangles() == std::vector<std::size_t>{ 800 });
 }
 
 TEST_CASE("Choice of an excision: of two cubes with a common edge or vertex, one remains whole")
@@ -151,7 +154,7 @@ TEST_CASE("Choice of an excision: one facet of each intersecting pair is excised
 
   // A stray triangle through one facet that has half its area and three neighbors.
   BS::Polygon_soup pierced = soup_of(sheet(steps(0, 3, 3), steps(0, 3, 3)));
-  add_triangle(pierced, Point_3(1.2, 1.3, -1), Point_3(1.4, 1.3, -1), Point_3(1.3, 1.3, 9));
+  add_triangle(pierced, Point_3(1.6, 1.3, -1), Point_3(1.8, 1.3, -1), Point_3(1.7, 1.3, 9));
   CHECK(checked(pierced).excised_triangles() == std::vector<std::size_t>{ 18 });
 }
 

@@ -60,7 +60,7 @@ public:
 
 private:
   // Calls `visit` for the corners of each facet at the edge before the collapse, or after it (with `p` in the place of
-  // the ends of the edge; facets at the edge vanish).
+  // the ends of the edge, so that facets at the edge have no area).
   template <typename Profile, typename Visit>
   static void visit_facets(const Profile& profile, const Point_3* p, const Visit& visit)
   {
@@ -68,13 +68,11 @@ private:
     for(const auto& t : profile.triangles()) {
       const std::array<typename Profile::vertex_descriptor, 3> v = { t.v0, t.v1, t.v2 };
       Triangle corners;
-      int ends = 0;
       for(std::size_t i = 0; i < 3; ++i) {
         const bool is_end = v[i] == profile.v0() || v[i] == profile.v1();
-        ends += is_end;
         corners[i] = is_end && p ? *p : Point_3(get(vpm, v[i]));
       }
-      if(!p || ends < 2) visit(v, corners);
+      visit(v, corners);
     }
   }
 
