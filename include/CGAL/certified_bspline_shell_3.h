@@ -30,8 +30,8 @@ namespace CGAL {
  * First, the mesh is checked: an invalid mesh is rejected, and the report lists the facets or vertices at fault.
  * Polygonal facets are triangulated. An open mesh is closed internally, by triangles that the shell stores
  * (`Bspline_shell_3::closing()`): caps of its holes, or a sheet behind it. These triangles are certified with the mesh,
- * but they are not part of any output. Maps, edits, and certificates accept every mesh with the same border; edits do
- * not change the border.
+ * but they are not part of any output. Maps, edits, and certificates accept every mesh with the same border. Edits keep
+ * the border, unless `simplify_in_shell()` is called with `border_tolerance`.
  *
  * Then a smooth function \f$f\f$, the *field*, is fitted to the signed distance on coarse cells around the mesh. Cells
  * are split where \f$|f|\f$ is too large on the mesh for the requested thickness, and where the certificate fails.
@@ -48,19 +48,22 @@ namespace CGAL {
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{relative_thickness}
  *       \cgalParamDescription{the largest thickness of the shell, as a fraction of the *box size*, the length of the
- *         longest side of the mesh's bounding box; positive, and less than 20 root cells}
+ *         longest side of the mesh's bounding box; positive, and less than 20 / `resolution`}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{0.01}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{thickness}
  *       \cgalParamDescription{the largest thickness in the units of the coordinates, used instead of
- *         `relative_thickness`; same bounds}
+ *         `relative_thickness`; same bounds, times the box size}
  *       \cgalParamType{`double`}
+ *       \cgalParamDefault{`relative_thickness` of the box size}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{sizing}
  *       \cgalParamDescription{a function that returns the largest thickness near a point in the units of the
  *         coordinates, used instead of `relative_thickness` and `thickness`; its values must be positive and finite.
  *         Unless `ConcurrencyTag` is `Sequential_tag`, it is called concurrently.}
+ *       \cgalParamType{a function object with `double operator()(const Certified_bspline_shell_3::Point_3&) const`}
+ *       \cgalParamDefault{the constant `thickness`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{constant_thresholds}
  *       \cgalParamDescription{if `true`, the two thresholds are constant and as tight as possible. Thin parts and
@@ -84,8 +87,8 @@ namespace CGAL {
  *     \cgalParamNEnd
  *     \cgalParamNBegin{effort_limit}
  *       \cgalParamDescription{the total number of cells that may be fitted in all rounds of refinement. After the first
- *         round, a round that would exceed it does not begin. Unlike a time limit, it yields the same shell on every
- *         machine; the default takes about a minute on two cores.}
+ *         round, a round that would exceed this number does not begin. Unlike a time limit, this limit yields the same
+ *         shell on every machine; the default takes about a minute on two cores.}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{1.5e6}
  *     \cgalParamNEnd
@@ -105,12 +108,14 @@ namespace CGAL {
  *       \cgalParamDescription{a function that returns, for a point on the border of the mesh as a
  *         `std::array<double, 3>`, whether its hole has to be closed by a cap. If this is impossible, the mesh is
  *         rejected; other holes may get a sheet behind the mesh instead. The points of a hole must have equal values.}
+ *       \cgalParamType{a function object with `bool operator()(const std::array<double, 3>&) const`}
  *       \cgalParamDefault{`false` at all points}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{closing}
  *       \cgalParamDescription{triangles that close the mesh, used instead of a virtual closing; their border must equal
  *         that of the mesh}
  *       \cgalParamType{`Shell_closing_3`}
+ *       \cgalParamDefault{a virtual closing}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{truncate}
  *       \cgalParamDescription{whether small discs replace the tips of the mesh internally
@@ -120,8 +125,8 @@ namespace CGAL {
  *       \cgalParamDefault{`true`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{least_cone_margin}
- *       \cgalParamDescription{vertices with a smaller `Bspline_shells::vertex_cone_margin()` are truncated; at least 0
- *         and less than 1}
+ *       \cgalParamDescription{vertices with a smaller `Bspline_shells::vertex_cone_margin()` are truncated if this at
+ *         least doubles the margin; at least 0, and less than 1}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{0.01}
  *     \cgalParamNEnd
@@ -139,6 +144,7 @@ namespace CGAL {
  *       \cgalParamDescription{a function of a point, for example a lambda expression, used instead of the signed
  *         distance to the mesh; it is copied unless it is passed by `std::cref()`}
  *       \cgalParamType{a model of `SignedDistanceOracle_3`}
+ *       \cgalParamDefault{the signed distance to the mesh (`Bspline_shells::Mesh_signed_distance_3`)}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{allow_self_intersections}
  *       \cgalParamDescription{if `true`, self-intersecting meshes are accepted; the sign of the distance at a point is
@@ -147,8 +153,8 @@ namespace CGAL {
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{allow_singular_vertices}
- *       \cgalParamDescription{if `true`, meshes are accepted although the facets at some vertices face no common
- *         direction}
+ *       \cgalParamDescription{if `true`, meshes with singular vertices that are not truncated are accepted; their
+ *         shells are not certified}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
@@ -156,6 +162,7 @@ namespace CGAL {
  *       \cgalParamDescription{receives the progress and can cancel the construction; it is copied unless it is passed
  *         by `std::ref()`}
  *       \cgalParamType{a model of `ShellVisitor`}
+ *       \cgalParamDefault{`Bspline_shells::Default_shell_visitor`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{vertex_point_map}
  *       \cgalParamDescription{a property map from the vertices of `mesh` to their points}
@@ -164,9 +171,9 @@ namespace CGAL {
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
  *
- * \return the shell, which is proved to contain the mesh, but not necessarily certified
- *   (`Bspline_shell_3::is_certified()`); `Bspline_shell_3::message()` and the report give the reason if it is not. If
- *   no shell was built, the returned object converts to `false`, and `Bspline_shell_3::status()` is the reason. If a
+ * \return the shell. It is proved to contain the mesh, or the truncated mesh if tips are truncated. If it is not
+ *   certified (`Bspline_shell_3::is_certified()`), `Bspline_shell_3::message()` and the report give the reason. If no
+ *   shell was built, the returned object converts to `false`, and `Bspline_shell_3::status()` is the reason. If a
  *   parameter is invalid, `Shell_report::invalid_parameter` contains its name and bounds.
  * \cgalHeading{Cost} Time and memory are about linear in the number of facets and in the number of cells. Most cells
  *   are small and lie along creases and thin parts.

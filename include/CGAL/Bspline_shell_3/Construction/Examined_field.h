@@ -55,7 +55,7 @@ public:
   /// clears the cache for a new field.
   /// \param before the previous field, or null
   /// \param keeps_caps whether thresholds remain as narrow as they had to be for the previous field
-  void is_another(const Field* before, bool keeps_caps)
+  void reset(const Field* before, bool keeps_caps)
   {
     m_ranges = Mesh_ranges(m_fitted.field()->number_of_cells());
     std::fill(m_unexamined.begin(), m_unexamined.end(), 1);
@@ -65,7 +65,7 @@ public:
   }
 
   /// updates the cache after a partial fit on finer cells
-  void is_refined(const Field& before)
+  void update_after_refinement(const Field& before)
   {
     const Field& field = *m_fitted.field();
     std::vector<Index> now(before.number_of_cells());

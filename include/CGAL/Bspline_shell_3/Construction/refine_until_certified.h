@@ -49,17 +49,21 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief refines a hierarchy of cells, on which a field is fitted in each round, until the shell is certified or
- * refinement ends.
+ * \brief splits cells and fits the field again, in rounds, until the shell is certified, no progress is made, or a
+ * limit is reached.
  *
  * A round consists of these steps:
  * - `Fitted_field` fits the field on the current cells.
- * - `Corrected_field` corrects the field if few cells are affected: where its slope across facets is too small, or
- *   where |f| exceeds half the thickness on the mesh (in *thick* cells).
- * - `Narrowed_thresholds` chooses thresholds between the values of f on the mesh and those at *obstacles*, such as
- *   possible critical points. If these leave no room at a few places, the field is corrected there again.
+ * - `Corrected_field` corrects the field if few cells fail. A cell fails if the slope on a facet is too small, or if
+ *   |f| on the mesh exceeds half the thickness there (a *thick* cell).
+ * - `Narrowed_thresholds` chooses thresholds between the values of f on the mesh and the values at possible critical
+ *   points. An *obstacle* is a place where there is no room between the two. If there are few obstacles, the field is
+ *   corrected there again.
  * - If nothing fails, `Shell_certificate_3` examines the claims.
  * - Unless all claims are proved, `plan_refinement()` chooses the cells to split.
+ *
+ * When refinement ends without a proof, the certificate examines the last field as well, so that the report contains
+ * verdicts and witnesses.
  *
  * A round is *partial* if few cells were split: it fits only the coefficients that act on them, and examines only the
  * cells where the field changes (`Examined_field`). After a partial round without progress, or a correction that was
@@ -91,12 +95,12 @@ public:
       if(m_examined.thresholds().are_chosen() && plan(found).split.empty() && certify(found))
         return Refinement_status::CERTIFIED;
 
-      const Refinement_plan next = plan(found);
+      const Refinement_plan next = plan(found); // again, because `certify()` may add cells to `found`
       m_budget.round().marked_cells = next.split.size();
       const bool is_stalled = next.split.empty() || m_history.is_stalled();
       if(!is_stalled) {
         cells = refined_cells(next);
-        m_limit = limit_of_round(cells.number_of_cells()); // before memory is allocated
+        m_limit = limit_of_round(cells.number_of_cells()); // before equations are allocated
         if(round >= m_problem.parameters.max_rounds) m_limit.resource = Refinement_resource::ROUNDS;
       }
       if(is_stalled || m_limit.resource != Refinement_resource::NONE) {
@@ -107,22 +111,23 @@ public:
   }
 
   const std::vector<Refinement_round>& rounds() const { return m_budget.rounds(); }
-  /// the limit that ended the refinement, if any
+  /// returns the limit that ended the refinement, if there is one
   const Refinement_limit& limit() const { return m_limit; }
   Solver_status solver_status() const { return m_fitted.solver_status(); }
   std::shared_ptr<const Field> field() const { return m_fitted.field(); }
-  /// the certificate of the last field; it refers to `field()`
+  /// returns the certificate of the last field, which refers to `field()`; none if the fit failed
   const std::optional<Certificate>& certificate() const { return m_certificate; }
   const Threshold& inner() const { return m_examined.thresholds().inner(); }
   const Threshold& outer() const { return m_examined.thresholds().outer(); }
-  /// enclosures of the last field on each triangle
+  /// returns enclosures of the last field on each triangle
   std::vector<Level_range> facet_ranges() const { return m_examined.facet_ranges(); }
 
-  /// the places where the proof failed in the last round, narrowest first: obstacles to thresholds, and witnesses of
-  /// the certificate
+  /// returns the places where the proof failed in the last round, narrowest first: obstacles to thresholds, and
+  /// witnesses of the certificate
+  /// \pre the refinement ended with `CERTIFIED`, `NO_PROGRESS`, or `LIMIT_REACHED`
   std::vector<Refinement_obstacle> obstacles();
 
-  /// the thickness of the shell of the last field
+  /// returns the thickness of the shell of the last field
   Thickness_on_mesh thickness_on_mesh() const
   {
     return Bspline_shells::thickness_on_mesh(m_fitted.clipped(), inner(), outer(),
@@ -141,8 +146,8 @@ private:
     m_certificate.reset();
     const std::optional<Refinement_status> failure = m_fitted.fit(std::move(cells), may_be_partial, m_budget);
     if(failure) return failure;
-    if(m_fitted.part()) m_examined.is_refined(*before);
-    else m_examined.is_another(before.get(), m_history.are_gaps_narrow());
+    if(m_fitted.part()) m_examined.update_after_refinement(*before);
+    else m_examined.reset(before.get(), m_history.are_gaps_narrow());
     return std::nullopt;
   }
 
@@ -193,7 +198,7 @@ private:
   void choose_thresholds(Corrected& corrected, Round_findings& found)
   {
     m_examined.thresholds().begin(*field(), m_problem.thickness);
-    std::vector<Threshold_obstacle> obstacles = chosen_thresholds(Narrowing_limits().max_passes);
+    std::vector<Threshold_obstacle> obstacles = choose_thresholds(Narrowing_limits().max_passes);
     std::size_t cells = cells_of(obstacles).size();
     double most = double(many_obstacles(m_fitted.cells_at_mesh(), m_tuning));
     for(int exchange = 0; exchange < m_tuning.max_obstacle_exchanges && cells > 0 && double(cells) <= most;
@@ -207,7 +212,7 @@ private:
       m_budget.end_step(Refinement_budget::SLOPES);
       record_failures(corrected, found);
       if(!m_is_corrected || !plan(found).split.empty()) break;
-      obstacles = chosen_thresholds(Narrowing_limits().max_passes);
+      obstacles = choose_thresholds(Narrowing_limits().max_passes);
       cells = cells_of(obstacles).size();
     }
     m_budget.round().undecided_cells = obstacles.size();
@@ -216,8 +221,8 @@ private:
     found.obstacles = std::move(obstacles);
   }
 
-  // returns the places where |f| on the mesh is too large for thresholds that exclude the obstacles
-  std::vector<Threshold_obstacle> chosen_thresholds(int max_passes)
+  // Chooses thresholds. Returns the obstacles that they cannot exclude, because |f| on the mesh is too large there.
+  std::vector<Threshold_obstacle> choose_thresholds(int max_passes)
   {
     m_budget.round().examined = true;
     return m_examined.choose_thresholds({ max_passes, many_obstacles(m_fitted.cells_at_mesh(), m_tuning) });
@@ -238,8 +243,8 @@ private:
     return conditions;
   }
 
-  // Finds the cells where |f| is so large on the mesh that thresholds have little or no room before obstacles. If there
-  // are few obstacles without room, similar cells are added.
+  // Finds the cells where |f| on the mesh is so large that little or no room is left for a threshold between the mesh
+  // and an obstacle. If there are few obstacles without room, similar cells are added.
   void find_causing_cells(const std::vector<Threshold_obstacle>& obstacles, Round_findings& found)
   {
     std::vector<Threshold_obstacle> places = m_examined.thresholds().narrow_places();
@@ -317,7 +322,7 @@ private:
       constexpr int once = 1;
       m_examined.find_thick_cells(m_budget); // the field may have changed
       m_examined.thresholds().begin(*field(), m_problem.thickness);
-      found.obstacles = chosen_thresholds(once);
+      found.obstacles = choose_thresholds(once);
     }
     if(!m_certificate) certify(found);
     m_obstacles = std::move(found.obstacles);

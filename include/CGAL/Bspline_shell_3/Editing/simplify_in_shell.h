@@ -33,8 +33,8 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief the result of `simplify_in_shell()`: the report, and the vertices of the result into which vertices were
- * collapsed.
+ * \brief the result of `simplify_in_shell()`: the report, and for each original vertex, the vertex into which it was
+ * merged.
  *
  * \tparam TriangleMesh a model of `FaceListGraph`
  */
@@ -48,15 +48,16 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *
  * An edge is collapsed only if each facet that this creates is accepted: it is proved or estimated (see *Proofs* below)
  * to lie in the shell and to face along the gradient. A facet faces along the gradient if its normal and the gradient
- * form an acute angle at each of its points. The result is certified as a whole; otherwise, the mesh is restored unless
- * facets are frozen. A certified result has no self-intersections. The integral curves map it one-to-one onto every
- * other mesh that is certified in the same shell, in particular the mesh for which a certified shell was built.
+ * form an acute angle at each of its points. The result is certified as a whole; otherwise, the mesh is restored, or
+ * the status is `PARTIALLY_EDITED` (`freeze_rejected_facets`). A certified result has no self-intersections. If the
+ * shell is certified, its integral curves map the result one-to-one onto every other mesh that is certified in it, in
+ * particular onto the mesh for which the shell was built. For simplified borders, see `border_tolerance`.
  *
  * Edges are collapsed by `CGAL::Surface_mesh_simplification::edge_collapse()` with `Shell_filter`, cheapest first. If
- * the policy's placement is rejected, other placements are tried in the order of their costs. These are the ends and
- * the midpoint of the edge. Two more are the policy's placement and the midpoint, moved along the gradient to the mean
- * value of the field at the ends. A rejected edge is considered again when its neighborhood has changed. Edges of
- * length zero are collapsed first, which does not change the surface.
+ * the policy's placement is rejected, up to five others are tried in order of increasing cost: the ends and the
+ * midpoint of the edge, and the policy's placement and the midpoint, each moved along the gradient to the mean value of
+ * the field at the ends. A rejected edge is considered again when its neighborhood has changed. Edges of length zero
+ * are collapsed first, which does not change the surface.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`, used for proofs; all give
  *   the same result
@@ -64,12 +65,11 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *   of a kernel whose `FT` is `double`
  *
  * \param mesh a closed mesh in the shell, or a mesh with the border of its closing (`closing`); often the mesh for
- *   which the shell was built. Unless it was edited, it is unchanged at the end. After the statuses `NOT_CERTIFIED`,
- *   `TIME_LIMIT_EXCEEDED`, and `NOT_CLOSABLE`, it was restored; after `NOT_IN_SHELL`, it was restored if the shell
- *   truncates some of its tips, or if an estimate accepted all of its facets at first. The property maps of a restored
- *   `Surface_mesh` have their original values; so does the map of constrained edges of every mesh. Other restored
- *   meshes have new elements, so that descriptors and other property maps of the caller are invalid. Constrained edges
- *   that lead to a truncated tip end where the tip is cut off.
+ *   which the shell was built. If the status is neither `SUCCESS` nor `PARTIALLY_EDITED`, the surface is unchanged. It
+ *   may have been edited and restored, namely with the statuses `NOT_CERTIFIED`, `TIME_LIMIT_EXCEEDED`, `NOT_CLOSABLE`,
+ *   and sometimes `NOT_IN_SHELL`. A restored `Surface_mesh` has its original property maps. Other mesh types have new
+ *   elements: descriptors and property maps of the caller are invalid, except for the map of constrained edges. In a
+ *   result, constrained edges that lead to a truncated tip end where the tip is cut off.
  * \param shell a shell; it may be certified for another mesh
  * \param np optional named parameters:
  *   \cgalNamedParamsBegin
@@ -100,28 +100,32 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *         `OnCollected()` is called again.}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{edge_is_constrained_map}
- *       \cgalParamDescription{a model of `ReadablePropertyMap`. Constrained edges are kept, and their vertices do not
- *         move.}
+ *       \cgalParamDescription{the constrained edges. Unless `protect_constraints` is `false`, they are kept, and their
+ *         vertices do not move.}
+ *       \cgalParamType{a model of `ReadablePropertyMap` from edges to `bool`; a model of `ReadWritePropertyMap` if
+ *         `protect_constraints` is given}
+ *       \cgalParamDefault{no edge is constrained}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{protect_constraints}
  *       \cgalParamDescription{if `true`, each constrained edge is kept. If `false`, as in `remesh_in_shell()` by
  *         default, polylines of constrained edges are simplified: a vertex where exactly two constrained edges meet may
  *         be merged into one of its neighbors along them. Ends, and vertices where more constrained edges meet, do not
- *         move. A simplified polyline connects some of its original vertices; `Edit_report::constrained_edges` is the
- *         number of constrained edges of the result. The property map is updated; if this parameter is given, it must
- *         be a model of `ReadWritePropertyMap`. The shell bounds the distance of a polyline from the mesh, but not its
- *         motion along the mesh, which only the costs or a `filter` limit. A constrained edge that shares a vertex with
- *         an edge of length zero is kept as long as the latter exists.}
+ *         move. The vertices of a simplified polyline are vertices of the original one, at their positions;
+ *         `Edit_report::constrained_edges` is the number of constrained edges of the result. The shell bounds the
+ *         distance of a polyline from the mesh, but not its motion along the mesh, which only the costs or a `filter`
+ *         limit. A constrained edge that shares a vertex with an edge of length zero is kept as long as the latter
+ *         exists.}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`true`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{border_tolerance}
  *       \cgalParamDescription{if positive, the border of an open mesh is simplified within this distance, in the units
  *         of the coordinates. A border vertex without constrained edges may be merged into one of its neighbors along
- *         the border; the remaining ones do not move. Every point of each border is within the distance of the other
- *         border. `Edit_report::removed_border_edges` is the number of edges that the border loses. The result is
- *         certified with its own closing (`Edit_report::closing`). The map to it is one-to-one except for strips along
- *         the border (\ref BsplineShell3OpenBorder). If 0, the border is kept, bit for bit.}
+ *         the border; the remaining ones do not move. It is proved that every point of the original border is within
+ *         this distance of the simplified border, and vice versa. `Edit_report::removed_border_edges` is the number of
+ *         edges that the border loses. The result is certified with its own closing (`Edit_report::closing`). The map
+ *         to it is one-to-one except for strips along the border (\ref BsplineShell3OpenBorder). If 0, the border is
+ *         kept, bit for bit.}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{0}
  *     \cgalParamNEnd
@@ -134,8 +138,8 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *     \cgalParamNBegin{freeze_rejected_facets}
  *       \cgalParamDescription{if `false`, a mesh with facets that are not proved to lie in the shell and to face along
  *         the gradient is rejected. If `true`, these facets are frozen: their vertices are neither moved nor removed,
- *         and edges with a frozen vertex are not collapsed. The facets at a vertex around which they do not wind
- *         exactly once are frozen as well, even if each of them is accepted. The other facets are edited; see
+ *         and edges with a frozen vertex are not collapsed. If the facets around a vertex do not wind exactly once
+ *         around it, they are frozen as well, even if each of them is accepted. The other facets are edited; see
  *         `Edit_status::PARTIALLY_EDITED`.}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}

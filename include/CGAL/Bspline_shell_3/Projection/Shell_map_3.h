@@ -38,17 +38,19 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Projection
  *
- * \brief the map between two meshes in a shell, which follows integral curves from one mesh to the other.
+ * \brief the map from one mesh in a shell to another mesh, along the integral curves of the shell's field.
  *
- * If the two meshes are certified in the same certified shell (`Shell_certificate_3`), the map is one-to-one.
- * Certificates are not required, but the constructor compares the components of the meshes:
- * - Suppose that the shell is certified, and that each mesh is closed or is closed by its closing.
- *   Each mesh must have a vertex in each component of the shell, or be crossed by the paths through this component.
- *   Otherwise, the status is `COMPONENTS_DIFFER`, and no points are mapped; if all paths through the component are
- *   degenerate, it is `COMPONENTS_UNKNOWN`.
- * - For other shells and meshes, segments through the shell are constructed at the largest facets of each component of
- *   the two meshes. If each component is crossed by such a segment that also crosses the other mesh, the status is
- *   `SUCCESS`; otherwise, it is `COMPONENTS_UNKNOWN`. Points are mapped in both cases.
+ * If the shell and both meshes are certified (`Shell_certificate_3`), the map is one-to-one; for simplified borders,
+ * see
+ * \ref BsplineShell3OpenBorder. Certificates are not required, but the constructor compares the components of the shell
+ * in which the two meshes lie:
+ * - If the shell is certified, and each mesh is closed or has the border of its closing, each component of the shell is
+ *   tested: a mesh is found in it if it has a vertex there, or crosses a path through it. If a mesh is not found, the
+ *   status is `COMPONENTS_DIFFER`, and no points are mapped. If all paths through the component are degenerate, the
+ *   status is `COMPONENTS_UNKNOWN`.
+ * - Otherwise, segments through the shell are constructed at the largest facets of each component of both meshes. If
+ *   such a segment connects each component with a component of the other mesh, the status is `SUCCESS`; otherwise, it
+ *   is `COMPONENTS_UNKNOWN`. Points are mapped in both cases.
  *
  * The map stores an AABB tree for each mesh, which it shares with its copies and with its inverse. Const member
  * functions may be called concurrently. The shell and the meshes must outlive the map and must not change.
@@ -83,14 +85,16 @@ public:
   /// \param shell a shell; if it is not valid (`!shell`), all images have the status `NO_SHELL`
   /// \param source a mesh in the shell
   /// \param target another mesh in the shell
-  /// \param np_source
+  /// \param np_source optional named parameters for the source; `tolerance` applies to both directions
   ///   \cgalNamedParamsBegin
   ///     \cgalParamNBegin{vertex_point_map}
-  ///       \cgalParamDescription{vertex point map of the source}
+  ///       \cgalParamDescription{a property map from the vertices of the source to their points}
+  ///       \cgalParamType{a model of `ReadablePropertyMap`}
+  ///       \cgalParamDefault{`get(CGAL::vertex_point, source)`}
   ///     \cgalParamNEnd
   ///     \cgalParamNBegin{closing}
   ///       \cgalParamDescription{triangles that close the source, as for `Shell_projection_3`. If both meshes have the
-  ///         border of `Bspline_shell_3::closing()`, they need not be passed.}
+  ///         border of `Bspline_shell_3::closing()`, no closings need to be passed.}
   ///       \cgalParamType{`Shell_closing_3`, or a shared pointer to one, which may be null}
   ///     \cgalParamNEnd
   ///     \cgalParamNBegin{tolerance}
@@ -100,10 +104,12 @@ public:
   ///       \cgalParamDefault{`Gradient_flow_3::default_tolerance()`}
   ///     \cgalParamNEnd
   ///   \cgalNamedParamsEnd
-  /// \param np_target
+  /// \param np_target optional named parameters for the target; `tolerance` is a compile-time error here
   ///   \cgalNamedParamsBegin
   ///     \cgalParamNBegin{vertex_point_map}
-  ///       \cgalParamDescription{vertex point map of the target}
+  ///       \cgalParamDescription{a property map from the vertices of the target to their points}
+  ///       \cgalParamType{a model of `ReadablePropertyMap`}
+  ///       \cgalParamDefault{`get(CGAL::vertex_point, target)`}
   ///     \cgalParamNEnd
   ///     \cgalParamNBegin{closing}
   ///       \cgalParamDescription{triangles that close the target}

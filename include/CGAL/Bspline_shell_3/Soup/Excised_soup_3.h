@@ -30,18 +30,17 @@ struct Excised_soup_access;
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief the different triangles of a polygon soup. Equal numbers of corners are a common vertex.
+ * \brief the distinct triangles of a polygon soup. Corners with the same point index are the same vertex.
  */
 struct Soup_triangles
 {
   typedef std::array<std::size_t, 3> Triangle;
 
-  Polygon_soup::Points points;         ///< all different
-  std::vector<Triangle> triangles;     ///< three different points each; no two triangles have the same three
-  std::vector<std::size_t> point_of;   ///< by point: the first point of the soup at this position
-  std::vector<std::size_t> polygon_of; ///< by triangle: the polygon of the soup of which it is part
-  /// polygons of the soup with a triangle that has the corners of an earlier one, and this earlier triangle. The
-  /// earlier one represents both.
+  Polygon_soup::Points points;         ///< distinct points
+  std::vector<Triangle> triangles;     ///< three distinct points each; no two triangles have the same three
+  std::vector<std::size_t> point_of;   ///< for each point, the first point of the soup at this position
+  std::vector<std::size_t> polygon_of; ///< for each triangle, the polygon of the soup that contains it
+  /// for each omitted triangle, its polygon, and the earlier triangle with the same corners, which represents it
   std::vector<std::pair<std::size_t, std::size_t> > duplicates;
 };
 
@@ -66,27 +65,30 @@ public:
   typedef Kernel::Point_3 Point_3;
   typedef Soup_triangles::Triangle Triangle;
 
-  static constexpr std::size_t none = std::size_t(-1); ///< the number of no element
+  static constexpr std::size_t none = std::size_t(-1); ///< an index that refers to no element
 
   Excised_soup_3() = default;
+  /// divides a soup into the mesh of the kept triangles and the excised triangles. If the kept triangles are not an
+  /// oriented manifold, there is no mesh.
   /// \param soup the triangles
-  /// \param reasons by triangle
-  /// \param is_reversed by triangle: whether the facet of the mesh has the opposite orientation
-  /// If the kept triangles are not an oriented manifold, there is no mesh.
-  /// \pre triangles refer only to points of the soup
+  /// \param reasons for each triangle, why it is excised, or `Excision_reason::KEPT`
+  /// \param is_reversed for each triangle, whether the facet of the mesh has the opposite orientation
+  /// \pre triangles refer only to points of the soup; both vectors have one entry per triangle
   Excised_soup_3(Soup_triangles soup, std::vector<Excision_reason> reasons, std::vector<char> is_reversed);
 
   /// returns whether the kept triangles form a mesh with at least one facet
   explicit operator bool() const { return m_mesh.number_of_faces() > 0; }
   const Soup_triangles& soup() const { return m_soup; } ///< all triangles, in the order and orientation of the input
-  /// returns the reasons, by triangle
+  /// returns, for each triangle, why it is excised, or `Excision_reason::KEPT`
   const std::vector<Excision_reason>& reasons() const { return m_reasons; }
+  /// returns whether a triangle is excised
   bool is_excised(std::size_t triangle) const { return m_reasons[triangle] != Excision_reason::KEPT; }
+  /// returns whether the facet of a triangle has the opposite orientation
   bool is_reversed(std::size_t triangle) const { return m_is_reversed[triangle] != 0; }
-  /// returns the excised triangles, ascending
+  /// returns the indices of the excised triangles, in ascending order
   const std::vector<std::size_t>& excised_triangles() const { return m_excised; }
 
-  const Mesh& mesh() const { return m_mesh; } ///< the kept triangles as a mesh; facets are in their order
+  const Mesh& mesh() const { return m_mesh; } ///< the kept triangles as a mesh; its facets have their order
   std::size_t triangle_of(Mesh::Face_index f) const { return m_triangle_of[f]; }
   std::size_t point_of(Mesh::Vertex_index v) const { return m_point_of[v]; } ///< the position in `soup().points`
   /// returns the vertex at a point; `Mesh::null_vertex()` if all triangles at the point are excised
