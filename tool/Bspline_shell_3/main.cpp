@@ -146,6 +146,11 @@ void add_output(CLI::App& verb, std::string& output)
     ->required();
 }
 
+void add_view(CLI::App& verb, std::string& view, const std::string& contents)
+{
+  verb.add_option("--view", view, "Write a page for a browser that shows " + contents)->type_name("PAGE.html");
+}
+
 void add_edit(CLI::App& verb, Tool::Edit_options& edit)
 {
   add_output(verb, edit.output);
@@ -153,6 +158,7 @@ void add_edit(CLI::App& verb, Tool::Edit_options& edit)
     .add_option("--shell", edit.shell,
                 "Write the shell, its mesh, and its surfaces as well; see the verb shell for the names")
     ->type_name("PREFIX");
+  add_view(verb, edit.view, "the mesh, the result, the shell, and the map between them");
   verb.add_flag("--keep-normals", edit.carries_normals, "Interpolate normals instead of recomputing them");
 }
 
@@ -255,7 +261,7 @@ int main(int argc, char** argv)
   verb->callback([&] { outcome = Tool::transfer(transfer, writes_json); });
 
   Tool::Shell_options shell;
-  std::string prefix;
+  std::string prefix, page;
   verb = program.add_subcommand(
     "shell",
     "Build a certified shell, and write these files:\n"
@@ -279,9 +285,10 @@ int main(int argc, char** argv)
       + lengths);
   add_shell(*verb, shell, "1%");
   verb->add_option("-o,--output", prefix, "Prefix of the names of the files")->required()->type_name("PREFIX");
+  add_view(*verb, page, "the mesh and the shell, or the places where the proof fails");
   add_limits(*verb, shell, threads);
   add_common(*verb, writes_json, "  bspline_shell shell part.stl -o part\n");
-  verb->callback([&] { outcome = Tool::shell(shell, prefix, writes_json); });
+  verb->callback([&] { outcome = Tool::shell(shell, prefix, page, writes_json); });
 
   Tool::Shell_options check;
   verb = program.add_subcommand("check", "Describe a file, its defects, and the shell it can have." + lengths);

@@ -33,7 +33,8 @@ struct Transfer_options : Shell_options
 };
 Outcome transfer(const Transfer_options& options, bool writes_json);
 
-Outcome shell(const Shell_options& options, const std::string& prefix, bool writes_json);
+// \param view page that shows the shell; empty if it is not written
+Outcome shell(const Shell_options& options, const std::string& prefix, const std::string& view, bool writes_json);
 Outcome check(const Shell_options& options, bool writes_json);
 Outcome certify(const std::string& shell, const std::string& mesh, bool writes_json);
 
