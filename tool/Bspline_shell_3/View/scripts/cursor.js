@@ -1,5 +1,5 @@
 // A point of one mesh, the integral curve through it, and its image on the other mesh.
-const pointColor = 0xe8650a, imageColor = 0x7a2fd0, curveColor = 0xe8650a;
+const pointColor = 0xe8650a, imageColor = 0x7a2fd0, curveColor = 0xff8a1a;
 
 class Cursor {
   constructor(views, meshes, section) {
@@ -74,4 +74,17 @@ class Cursor {
     }
     return point.every(isFinite) ? { image: { point } } : { reason: "A corner of the facet has no image." };
   }
+}
+
+// Looks at the cursor from the side, so near that its curve is large.
+function focusOnCursor(orbit, cursor) {
+  if (!cursor.at) return;
+  const { place, curve } = cursor.at;
+  if (!curve) {
+    orbit.focus(place.point, orbit.radius / 20);
+    return;
+  }
+  const first = curve[0], last = curve[curve.length - 1];
+  orbit.focus(place.point, 1.5 * distance(first, last));
+  orbit.faceSideways(subtract(last, first));
 }

@@ -16,6 +16,7 @@ class DrawnMesh {
       geometry.setAttribute("uv", new THREE.BufferAttribute(arrayOf(this.name + ".texture"), 2));
     this.paintedMaterial = surfaceMaterial();
     this.ownMaterials = this.addGroups(geometry, redraw);
+    this.fine = geometry;
     this.surface = new THREE.Mesh(geometry, this.ownMaterials);
     this.edges = new THREE.LineSegments(new THREE.BufferGeometry(), lineMaterial(0x202020));
     this.edges.visible = false;
@@ -37,16 +38,24 @@ class DrawnMesh {
 
   // Colors the vertices, or all of them plainly if there are no colors. Images are shown only on request.
   paint(colors, showsImages) {
-    const attribute = this.surface.geometry.getAttribute("paint");
+    const attribute = this.fine.getAttribute("paint");
     if (colors) attribute.array.set(colors);
     else for (let n = 0; n < attribute.count; ++n) attribute.array.set(plainColor, 3 * n);
     attribute.needsUpdate = true;
     this.surface.material = showsImages ? this.ownMaterials : this.ownMaterials.map(() => this.paintedMaterial);
   }
 
+  // Draws fewer triangles and no edges.
+  setCoarse(isCoarse, radius) {
+    if (isCoarse && !this.coarse) this.coarse = coarseGeometry(this.fine, radius);
+    this.surface.geometry = isCoarse ? this.coarse : this.fine;
+    this.edges.visible = this.showsEdges && this.surface.geometry === this.fine;
+  }
+
   showEdges(isShown) {
+    this.showsEdges = isShown;
     if (isShown && !this.edges.geometry.index) {
-      this.edges.geometry.setAttribute("position", this.surface.geometry.getAttribute("position"));
+      this.edges.geometry.setAttribute("position", this.fine.getAttribute("position"));
       this.edges.geometry.setIndex(new THREE.BufferAttribute(uniqueEdges(this.triangles), 1));
     }
     this.edges.visible = isShown;

@@ -43,7 +43,7 @@ function scriptAccess(views, orbit, cursor) {
     },
     turn(angle) {
       orbit.turn(angle, 0);
-      views.redraw();
+      views.move();
     }
   };
 }
@@ -57,6 +57,7 @@ function build() {
   for (const { name, color } of surfaces.list)
     bodies.push({ color, points: () => arrayOf(name + ".points"), triangles: () => arrayOf(name + ".triangles") });
   const section = new Section(views.scenes, bodies, orbit.radius), cursor = new Cursor(views, meshes, section);
+  views.motion.bodies = [...meshes, surfaces].map(body => ({ setCoarse: isCoarse => body.setCoarse(isCoarse, orbit.radius) }));
   showPlaces(document.getElementById("places"), views, orbit);
   const panel = new Panel({ views, orbit, meshes, channels: new Channels(meshes), surfaces, section, cursor });
   listenToPointer(canvas, { orbit, views, cursor, changed: () => panel.describeCursor() });

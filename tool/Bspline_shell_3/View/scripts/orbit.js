@@ -41,6 +41,16 @@ class Orbit {
     this.distance = radius / Math.sin(Orbit.angle / 2 * Math.PI / 180);
   }
 
+  // Looks from the side at a direction, which becomes upright on the screen.
+  faceSideways(direction) {
+    const elevation = 25 * Math.PI / 180, up = new THREE.Vector3(...direction).normalize();
+    const ahead = new THREE.Vector3(0, 0, 1).applyQuaternion(this.rotation), below = new THREE.Vector3(0, -1, 0).applyQuaternion(this.rotation);
+    const level = below.addScaledVector(up, -below.dot(up)), side = ahead.addScaledVector(up, -ahead.dot(up));
+    const back = (side.length() > 0.5 ? side : level).normalize().multiplyScalar(Math.cos(elevation)).addScaledVector(up, Math.sin(elevation));
+    const right = new THREE.Vector3().crossVectors(up, back).normalize();
+    this.rotation.setFromRotationMatrix(new THREE.Matrix4().makeBasis(right, new THREE.Vector3().crossVectors(back, right), back));
+  }
+
   // Sets the camera for a view with a ratio of width and height. In narrow views, the width counts.
   apply(aspect) {
     const distance = this.distance / Math.min(aspect, 1), reach = this.radius + this.target.length();

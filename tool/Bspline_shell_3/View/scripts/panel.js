@@ -30,7 +30,7 @@ class Panel {
     const camera = action => () => {
       action();
       if (this.followsCenter) this.pickCenter();
-      this.views.redraw();
+      this.views.move();
     };
     return [
       [["ArrowLeft"], camera(() => this.orbit.turn(-turning, 0))], [["ArrowRight"], camera(() => this.orbit.turn(turning, 0))],
@@ -47,7 +47,7 @@ class Panel {
       [["["], () => this.slide(this.section.position - sliding)], [["]"], () => this.slide(this.section.position + sliding)],
       [["f"], () => { this.section.isFlipped = !this.section.isFlipped; }, "flip"],
       [["p"], () => { this.followsCenter = !this.followsCenter; this.pickCenter(); }, "center"],
-      [["Enter"], camera(() => { if (this.cursor.at) this.orbit.focus(this.cursor.at.place.point, this.orbit.radius / 20); })],
+      [["Enter"], camera(() => focusOnCursor(this.orbit, this.cursor))],
       [["Escape"], () => { this.followsCenter = false; this.cursor.clear(); }],
       [["h", "?"], () => this.toggleHelp(), "help"]
     ];

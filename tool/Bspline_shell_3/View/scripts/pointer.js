@@ -28,7 +28,7 @@ function listenToPointer(canvas, { orbit, views, cursor, changed }) {
       orbit.move(-dx / height / 2, dy / height / 2);
     }
     pressed.set(event.pointerId, now);
-    views.redraw();
+    views.move();
   });
   for (const name of ["pointerup", "pointercancel"])
     canvas.addEventListener(name, event => {
@@ -41,11 +41,11 @@ function listenToPointer(canvas, { orbit, views, cursor, changed }) {
   canvas.addEventListener("wheel", event => {
     event.preventDefault();
     orbit.zoom(Math.exp(-event.deltaY / 500));
-    views.redraw();
+    views.move();
   }, { passive: false });
   canvas.addEventListener("dblclick", event => {
     point(event);
-    if (cursor.at) orbit.focus(cursor.at.place.point, orbit.radius / 20);
+    focusOnCursor(orbit, cursor);
     views.redraw();
   });
   canvas.addEventListener("contextmenu", event => event.preventDefault());

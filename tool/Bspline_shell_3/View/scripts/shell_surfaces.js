@@ -17,11 +17,20 @@ class ShellSurfaces {
     this.isShown = isShown;
     for (const surface of this.list) {
       if (isShown && !surface.objects) {
-        const geometry = ShellSurfaces.geometry(surface), material = surfaceMaterial({ opacity: surface.opacity });
-        surface.objects = scenes.map(scene => new THREE.Mesh(geometry, material));
+        const material = surfaceMaterial({ opacity: surface.opacity });
+        surface.fine = ShellSurfaces.geometry(surface);
+        surface.objects = scenes.map(scene => new THREE.Mesh(surface.fine, material));
         surface.objects.forEach((object, n) => scenes[n].add(object));
       }
       for (const object of surface.objects || []) object.visible = isShown;
+    }
+  }
+
+  // Draws fewer triangles.
+  setCoarse(isCoarse, radius) {
+    for (const surface of this.list.filter(surface => surface.objects)) {
+      if (isCoarse && !surface.coarse) surface.coarse = coarseGeometry(surface.fine, radius);
+      for (const object of surface.objects) object.geometry = isCoarse ? surface.coarse : surface.fine;
     }
   }
 

@@ -4,13 +4,20 @@ class Views {
     this.canvas = canvas;
     this.orbit = orbit;
     this.scenes = Array.from({ length: number }, () => new THREE.Scene());
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !hasSoftwareRendering() });
     this.renderer.setScissorTest(true);
     this.renderer.setClearColor(0xf4f3f0);
     this.frames = 0;
+    this.motion = new Motion(this);
     this.isPending = false;
     this.redraw = this.redraw.bind(this);
     new ResizeObserver(this.redraw).observe(canvas.parentElement);
+  }
+
+  // Draws while the camera moves.
+  move() {
+    this.motion.start();
+    this.redraw();
   }
 
   // Draws once, before the next frame of the screen.
@@ -35,6 +42,7 @@ class Views {
   }
 
   draw() {
+    this.motion.startFrame();
     const parent = this.canvas.parentElement, sharpest = 2;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, sharpest));
     const size = this.renderer.getSize(new THREE.Vector2());
@@ -69,4 +77,10 @@ class Views {
     const camera = this.orbit.camera, through = new THREE.Vector3(2 * x / width - 1, 1 - 2 * y / height, 0).unproject(camera);
     return { side, origin: camera.position.toArray(), direction: through.sub(camera.position).normalize().toArray() };
   }
+}
+
+// Returns whether the browser draws without a graphics card. Smooth edges would then be too slow.
+function hasSoftwareRendering() {
+  const context = document.createElement("canvas").getContext("webgl"), names = context && context.getExtension("WEBGL_debug_renderer_info");
+  return Boolean(names) && /swiftshader|llvmpipe|software/i.test(context.getParameter(names.UNMASKED_RENDERER_WEBGL));
 }
