@@ -241,6 +241,7 @@ int main(int argc, char** argv)
   add_shell(*verb, transfer, "as required by the distance of TO", "FROM", "The mesh with attributes");
   verb->add_option("TO", transfer.to, "The mesh that gets them; its points and polygons are kept")->required();
   add_output(*verb, transfer.output);
+  add_view(*verb, transfer.view, "both meshes, the shell, and the map between them");
   verb->add_flag("--normals", transfer.includes_normals, "Transfer normals as well");
   verb->add_option("--bake", transfer.image, "Bake colors of FROM into this PNG file, over texture coordinates of TO")
     ->type_name("IMAGE");

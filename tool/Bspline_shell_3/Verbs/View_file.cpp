@@ -120,6 +120,20 @@ Contents view_of_shell(const std::string& file, const Model& model, const BS::Sh
   return success(file, view);
 }
 
+Contents view_of_transfer(const std::string& file, const Model& from, const Model& result,
+                          const BS::Shell_of_soup_3& found, const std::string& output, const std::string& map_message)
+{
+  View view;
+  view.title = name_of(output);
+  view.sides = { { title_of("From", from), &from }, { title_of("Result", result), &result } };
+  view.report = { { "Map", map_message } };
+  if(found.certification() != BS::Certification::NONE) {
+    view.shell = &found.shell();
+    for(auto& line : shell_lines(from, found)) view.report.push_back(std::move(line));
+  }
+  return success(file, view);
+}
+
 Outcome write_failure_view(const Outcome& outcome, const std::string& file, const Model& model,
                            const BS::Shell_of_soup_3& found)
 {
@@ -130,11 +144,12 @@ Outcome write_failure_view(const Outcome& outcome, const std::string& file, cons
   if(found.shell()) view.shell = &found.shell();
   view.report = { { "Reason", outcome.message } };
   view.places = places_of(model, found);
+  view.places_title = found.shell() ? "places where the proof fails" : "facets and vertices with defects";
   const std::string page = failure_file(file), failed = write_files({ { page, page_of(view) } });
   if(!failed.empty()) return { CANNOT_WRITE, failed, message(File_status::CANNOT_WRITE) };
   Outcome result = outcome;
-  result.message += " The page " + page + " shows the mesh"
-                    + (view.places.empty() ? "." : " and the places where the proof fails.");
+  result.message += " The page " + page + " shows the mesh" + (view.places.empty() ? "" : " and " + view.places_title)
+                    + ".";
   return result;
 }
 

@@ -25,6 +25,11 @@ Contents view_of_edit(const std::string& file, const Model& model, const Model& 
 Contents view_of_shell(const std::string& file, const Model& model, const BS::Shell_of_soup_3& found,
                        const std::string& input);
 
+// Returns the page that shows a model with attributes, and the result to which they are transferred.
+// \param map_message which part of the map is proved
+Contents view_of_transfer(const std::string& file, const Model& from, const Model& result,
+                          const BS::Shell_of_soup_3& found, const std::string& output, const std::string& map_message);
+
 // Writes a page with the places where the proof fails, under a name that ends in `_failed.html`. The page of an earlier
 // success is kept. Returns the outcome with a sentence about the page.
 Outcome write_failure_view(const Outcome& outcome, const std::string& file, const Model& model,

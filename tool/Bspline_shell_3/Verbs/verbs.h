@@ -26,6 +26,7 @@ Outcome remesh(const Remesh_options& options, bool writes_json);
 struct Transfer_options : Shell_options
 {
   std::string to, output;
+  std::string view; // page that shows both meshes; empty if it is not written
   bool includes_normals = false;
   std::string image, normal_image; // files to bake; empty if there is none
   std::size_t size = 1024;         // number of texels along each side

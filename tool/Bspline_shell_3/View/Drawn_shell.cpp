@@ -49,11 +49,12 @@ void write_field(Page& page, const Shell& shell, const std::array<double, 3>& ce
   page.add("field.coefficients", coefficients);
 }
 
-void write_surfaces(Page& page, const Shell& shell, const std::array<double, 3>& center)
+void write_surfaces(Page& page, const Shell& shell, const std::array<double, 3>& center, int subdivision)
 {
   const auto write = [&](const std::string& name, const Shell::Threshold& threshold) {
     Mesh surface;
-    if(BS::extract_shell_surface<CGAL::Parallel_if_available_tag>(shell, threshold, surface)
+    if(BS::extract_shell_surface<CGAL::Parallel_if_available_tag>(shell, threshold, surface,
+                                                                  BS::parameters::subdivision_ratio(subdivision))
        != BS::Level_set_status::SUCCESS)
       return;
     std::vector<float> points;

@@ -15,7 +15,8 @@ namespace Tool {
 void write_field(Page& page, const Shell& shell, const std::array<double, 3>& center);
 
 // Adds the inner and the outer surface, as far as they can be extracted.
-void write_surfaces(Page& page, const Shell& shell, const std::array<double, 3>& center);
+// \param subdivision number of parts along each edge of a cell
+void write_surfaces(Page& page, const Shell& shell, const std::array<double, 3>& center, int subdivision);
 
 } // namespace Tool
 

@@ -70,15 +70,15 @@ std::array<double, 3> center_of(const Model& model)
   return { (box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2 };
 }
 
-void write_places(Page& page, const std::vector<View::Place>& places, const std::array<double, 3>& center)
+void write_places(Page& page, const View& view, const std::array<double, 3>& center)
 {
   std::vector<float> points;
   std::string messages;
-  for(const View::Place& place : places) {
+  for(const View::Place& place : view.places) {
     for(std::size_t i = 0; i < 3; ++i) points.push_back(float(place.point[i] - center[i]));
     messages += place.message + "\n";
   }
-  page.add("places", points);
+  page.add("places", points, view.places_title);
   page.add("places.messages", "text", messages);
 }
 
@@ -104,13 +104,13 @@ std::string page_of(const View& view, std::size_t most_bytes)
   for(std::size_t n = 0; n < image_files.size(); ++n)
     page.add("image" + std::to_string(n), image_files[n].front() == '\x89' ? "image/png" : "image/jpeg",
              image_files[n]);
-  if(!view.places.empty()) write_places(page, view.places, center);
+  if(!view.places.empty()) write_places(page, view, center);
 
   Page::Lines report = view.report;
   const std::size_t of_scripts = page_template().size();
   const auto fits = [&](const Page& part) { return of_scripts + page.size() + part.size() <= most_bytes; };
   if(view.shell != nullptr) {
-    Page field, surfaces;
+    Page field;
     write_field(field, *view.shell, center);
     if(fits(field)) page.add(field);
     else if(meshes.size() == 2) {
@@ -119,9 +119,16 @@ std::string page_of(const View& view, std::size_t most_bytes)
       report.emplace_back("Curves", "are left out, because the page would be too large. Images of points are "
                                     "interpolated between the images of vertices.");
     }
-    write_surfaces(surfaces, *view.shell, center);
-    if(fits(surfaces)) page.add(surfaces);
-    else report.emplace_back("Surfaces", "of the shell are left out, because the page would be too large.");
+    bool has_surfaces = false;
+    for(int subdivision : { 2, 1 }) {
+      if(has_surfaces) break;
+      Page surfaces;
+      write_surfaces(surfaces, *view.shell, center, subdivision);
+      has_surfaces = fits(surfaces);
+      if(has_surfaces) page.add(surfaces);
+    }
+    if(!has_surfaces)
+      report.emplace_back("Surfaces", "of the shell are left out, because the page would be too large.");
   }
   return page.HTML(view.title, report);
 }

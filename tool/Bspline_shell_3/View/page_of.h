@@ -30,7 +30,8 @@ struct View
   std::vector<Side> sides;      // one or two; they are drawn beside each other
   const Shell* shell = nullptr; // null if there is none
   Page::Lines report;
-  std::vector<Place> places; // where the proof fails
+  std::vector<Place> places; // places to look at, for example those where the proof fails
+  std::string places_title;
 };
 
 // Returns the page. It contains the field, such that curves are traced in the browser to about single precision. If the

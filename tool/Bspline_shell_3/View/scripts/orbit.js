@@ -13,7 +13,7 @@ class Orbit {
   // Shows everything, from above on the right.
   reset() {
     this.target.set(0, 0, 0);
-    this.distance = 0.95 * this.radius / Math.sin(Orbit.angle / 2 * Math.PI / 180);
+    this.distance = 1.05 * this.radius / Math.sin(Orbit.angle / 2 * Math.PI / 180);
     this.rotation.setFromEuler(new THREE.Euler(-0.35, 0.5, 0, "YXZ"));
   }
 
