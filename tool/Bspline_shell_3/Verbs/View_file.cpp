@@ -24,7 +24,7 @@ std::string failure_file(const std::string& file)
 
 std::string name_of(const std::string& file)
 {
-  return file == stream_name ? "standard input" : std::filesystem::path(file).filename().string();
+  return file == stream_name ? "bspline_shell" : std::filesystem::path(file).filename().string();
 }
 
 std::string title_of(const std::string& what, const Model& model)

@@ -44,7 +44,7 @@ private:
   Triangulated_model m_triangulated;
   std::vector<Mesh::Vertex_index> m_vertices;
   std::vector<unsigned int> m_triangles;    // three vertices each; those without an image come first
-  std::vector<unsigned int> m_groups;       // for each image, and before it for no image: the number of triangles
+  std::vector<unsigned int> m_groups;       // numbers of triangles: without an image, and then with each image
   std::vector<float> m_texture_coordinates; // two for each vertex; empty if no image is shown
   std::vector<unsigned char> m_colors;      // three for each vertex; empty if the model has none
 };

@@ -14,7 +14,7 @@ namespace Tool {
 // act on them, and three coefficients for each of these points. Coordinates are relative to a center.
 void write_field(Page& page, const Shell& shell, const std::array<double, 3>& center);
 
-// Adds the inner and the outer surface, as far as they can be extracted.
+// Adds the inner and the outer surface, if they can be extracted.
 // \param subdivision number of parts along each edge of a cell
 void write_surfaces(Page& page, const Shell& shell, const std::array<double, 3>& center, int subdivision);
 

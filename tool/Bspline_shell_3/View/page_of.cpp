@@ -25,7 +25,7 @@ constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 Channel distances(const Drawn_mesh& mesh, const Drawn_mesh& other)
 {
   const BS::Projection_target_3<Mesh> target(other.mesh(), other.mesh().points());
-  Channel channel{ "distance to the other mesh", false, {}, {} };
+  Channel channel{ "distance (unit of the file)", false, {}, {} };
   for(std::size_t n = 0; n < mesh.vertices().size(); ++n) {
     const auto& p = mesh.point(n);
     const auto [facet, weights] = target.closest({ p.x(), p.y(), p.z() });
@@ -38,7 +38,7 @@ Channel distances(const Drawn_mesh& mesh, const Drawn_mesh& other)
 // Returns the difference of the thresholds.
 Channel thicknesses(const Drawn_mesh& mesh, const Shell& shell)
 {
-  Channel channel{ "thickness of the shell", false, {}, {} };
+  Channel channel{ "thickness (unit of the file)", false, {}, {} };
   for(std::size_t n = 0; n < mesh.vertices().size(); ++n) {
     const auto& p = mesh.point(n);
     const auto cell = shell.field().locate(p);

@@ -35,8 +35,8 @@ struct View
 };
 
 // Returns the page. It contains the field, such that curves are traced in the browser to about single precision. If the
-// page would be larger than the limit, it contains the images of vertices instead, which the library computes, and the
-// report says so. The surfaces of the shell are also left out if the page would be larger.
+// page would be larger than the limit, it contains the images of vertices instead, which the library computes. If
+// necessary, the surfaces of the shell are left out as well. The report of the page lists the omitted parts.
 // \param most_bytes limit of the size; the meshes are always included
 // \pre the program contains the scripts of pages
 std::string page_of(const View& view, std::size_t most_bytes = 20'000'000);

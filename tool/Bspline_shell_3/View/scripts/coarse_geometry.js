@@ -1,5 +1,6 @@
 // Coarse geometries, which slow computers draw while the picture moves.
-const coarseTriangles = 6000; // number that software renderers draw twice in about 1/60 s
+// most triangles of a geometry: software renderers draw two such geometries about 30 times a second
+const coarseTriangles = 6000;
 
 // Returns a geometry with the same vertices and fewer triangles: vertices in a cell of a grid are replaced by one of
 // them. Returns the geometry itself if it has few triangles.

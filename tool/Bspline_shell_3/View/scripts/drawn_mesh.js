@@ -76,8 +76,15 @@ class DrawnMesh {
   static texture(number, redraw) {
     const loaded = DrawnMesh.textures || (DrawnMesh.textures = []);
     if (!loaded[number]) {
-      loaded[number] = new THREE.TextureLoader().load(imageURL("image" + number), redraw);
+      const image = new Image();
+      loaded[number] = new THREE.Texture();
       loaded[number].wrapS = loaded[number].wrapT = THREE.RepeatWrapping;
+      image.addEventListener("load", () => {
+        loaded[number].image = repeatableImage(image);
+        loaded[number].needsUpdate = true;
+        redraw();
+      });
+      image.src = imageURL("image" + number);
     }
     return loaded[number];
   }
@@ -95,4 +102,16 @@ function uniqueEdges(triangles) {
   for (let n = 0; n < keys.length; ++n)
     if (n === 0 || keys[n] !== keys[n - 1]) edges.push(Math.floor(keys[n] / size), keys[n] % size);
   return Uint32Array.from(edges);
+}
+
+// Returns an image whose sides are powers of two, because WebGL repeats no others.
+function repeatableImage(image) {
+  const largest = 4096; // all but very old graphics cards support this number of pixels
+  const side = length => Math.min(2 ** Math.round(Math.log2(length)), largest);
+  const canvas = document.createElement("canvas");
+  canvas.width = side(image.width);
+  canvas.height = side(image.height);
+  if (canvas.width === image.width && canvas.height === image.height) return image;
+  canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
+  return canvas;
 }

@@ -11,10 +11,11 @@ function colorLegend(channel) {
   const [low, high] = Channels.range(channel);
   const bar = document.createElement("div"), numbers = document.createElement("div");
   bar.className = "bar";
-  bar.style.background = "linear-gradient(to right," + [0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1].map(t => colorText(scaleColor(t))) + ")";
+  const stops = Array.from({ length: 17 }, (_, n) => colorText(scaleColor(n / 16)));
+  bar.style.background = "linear-gradient(to right," + stops + ")";
   numbers.className = "numbers";
   numbers.append(...[low, (low + high) / 2, high].map(x => textElement("span", shortNumber(x))));
-  return [title, bar, numbers, textElement("div", "values at vertices, in units of the file")];
+  return [title, bar, numbers, textElement("div", "interpolated between vertices")];
 }
 
 function labelLegend(channel) {

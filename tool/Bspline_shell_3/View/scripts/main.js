@@ -31,7 +31,11 @@ function scriptAccess(views, orbit, cursor) {
   const center = arrayOf("center"), inFile = p => p && p.map((x, a) => x + center[a]);
   return {
     get frames() { return views.frames; },
-    get cursor() { return cursor.at && { side: cursor.at.side, point: inFile(cursor.at.place.point), image: inFile(cursor.at.image && cursor.at.image.point), curve: cursor.at.curve && cursor.at.curve.map(inFile) }; },
+    get cursor() {
+      if (!cursor.at) return null;
+      const { side, place, image, curve } = cursor.at;
+      return { side, point: inFile(place.point), image: inFile(image && image.point), curve: curve && curve.map(inFile) };
+    },
     numberOfVertices: side => meshes[side].points.length / 3,
     // Returns a vertex and its image on the other mesh, which is null if there is none.
     imageOfVertex(side, vertex) {
@@ -53,7 +57,8 @@ function build() {
   for (let side = 0; hasData("mesh" + side); ++side) meshes.push(new DrawnMesh(side, redraw));
   const orbit = new Orbit(largestRadius()), views = new Views(canvas, meshes.length, orbit), surfaces = new ShellSurfaces();
   meshes.forEach((mesh, side) => views.scenes[side].add(mesh.object));
-  const bodies = meshes.map((mesh, side) => ({ title: mesh.title, color: meshColors[side], points: () => mesh.points, triangles: () => mesh.triangles }));
+  const bodies = meshes.map(({ title, points, triangles }, side) =>
+    ({ title, color: meshColors[side], points: () => points, triangles: () => triangles }));
   for (const { name, color } of surfaces.list)
     bodies.push({ color, points: () => arrayOf(name + ".points"), triangles: () => arrayOf(name + ".triangles") });
   const section = new Section(views.scenes, bodies, orbit.radius), cursor = new Cursor(views, meshes, section);

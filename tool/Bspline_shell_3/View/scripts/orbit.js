@@ -44,9 +44,9 @@ class Orbit {
   // Looks from the side at a direction, which becomes upright on the screen.
   faceSideways(direction) {
     const elevation = 25 * Math.PI / 180, up = new THREE.Vector3(...direction).normalize();
-    const ahead = new THREE.Vector3(0, 0, 1).applyQuaternion(this.rotation), below = new THREE.Vector3(0, -1, 0).applyQuaternion(this.rotation);
-    const level = below.addScaledVector(up, -below.dot(up)), side = ahead.addScaledVector(up, -ahead.dot(up));
-    const back = (side.length() > 0.5 ? side : level).normalize().multiplyScalar(Math.cos(elevation)).addScaledVector(up, Math.sin(elevation));
+    const levelOf = (x, y, z) => new THREE.Vector3(x, y, z).applyQuaternion(this.rotation).projectOnPlane(up);
+    const towardsCamera = levelOf(0, 0, 1), level = towardsCamera.length() > 0.5 ? towardsCamera : levelOf(0, -1, 0);
+    const back = level.normalize().multiplyScalar(Math.cos(elevation)).addScaledVector(up, Math.sin(elevation));
     const right = new THREE.Vector3().crossVectors(up, back).normalize();
     this.rotation.setFromRotationMatrix(new THREE.Matrix4().makeBasis(right, new THREE.Vector3().crossVectors(back, right), back));
   }

@@ -3,6 +3,7 @@ class Panel {
   constructor(state) {
     Object.assign(this, state); // views, orbit, meshes, channels, surfaces, section, cursor
     this.showsEdges = false;
+    this.followsCenter = false; // whether the cursor is at the center of the first view
     this.channel = this.channels.list[0];
     this.element = id => document.getElementById(id);
     this.fillChoice();
@@ -115,7 +116,7 @@ class Panel {
     this.section.update();
     const isPressed = {
       edges: this.showsEdges, surfaces: this.surfaces.isShown, meshes: this.meshes[0].object.visible, flip: this.section.isFlipped,
-      center: Boolean(this.followsCenter), "clip-x": this.section.axis === 0, "clip-y": this.section.axis === 1, "clip-z": this.section.axis === 2
+      center: this.followsCenter, "clip-x": this.section.axis === 0, "clip-y": this.section.axis === 1, "clip-z": this.section.axis === 2
     };
     for (const [id, value] of Object.entries(isPressed)) this.element(id).setAttribute("aria-pressed", value);
     this.element("clip").value = this.section.position;

@@ -81,6 +81,7 @@ class Views {
 
 // Returns whether the browser draws without a graphics card. Smooth edges would then be too slow.
 function hasSoftwareRendering() {
-  const context = document.createElement("canvas").getContext("webgl"), names = context && context.getExtension("WEBGL_debug_renderer_info");
+  const context = document.createElement("canvas").getContext("webgl");
+  const names = context && context.getExtension("WEBGL_debug_renderer_info");
   return Boolean(names) && /swiftshader|llvmpipe|software/i.test(context.getParameter(names.UNMASKED_RENDERER_WEBGL));
 }
