@@ -19,7 +19,7 @@ from mesh_files import as_obj, as_ply, read, read_ply, sphere, torus, write
 from png_files import as_png, read_png
 
 program, meshes = sys.argv[1:]
-WRONG_USAGE, CANNOT_WRITE, NOT_CERTIFIED = 2, 3, 4
+WRONG_INPUT, WRONG_USAGE, CANNOT_WRITE, NOT_CERTIFIED = 1, 2, 3, 4
 WIDTH, HEIGHT = 1000, 700
 
 
@@ -203,10 +203,16 @@ def check_failures(browser, path):
     report = read(path("elephant_failed.json")).decode()
     assert places and all(p.startswith(("The wall at", "The gap at", "The proof fails at")) for p in places), places
     assert "is not certified" in browser.run("document.getElementById('report').textContent") and "obstacles" in report
+    assert f"{len(places)} places where the proof fails" in browser.run("document.getElementById('places').textContent")
     before = browser.screenshot()
     browser.run("document.querySelector('#places button').click()")
     browser.settle()
     assert browser.screenshot() != before
+
+    # Without a shell, facets with defects are listed.
+    run("shell", f"{meshes}/degtri_sliding.off", "-o", path("slid"), "--memory-limit", 1, "--view", path("shell.html"), code=WRONG_INPUT)
+    browser.open(path("shell_failed.html"))
+    assert "facets and vertices with defects" in browser.run("document.getElementById('places').textContent")
 
     # A later success removes the page of the failure.
     run("shell", f"{meshes}/eight.off", "-o", path("eight"), "--view", path("shell.html"))

@@ -6,7 +6,7 @@ function showCursor(element, cursor, meshes, channel) {
   const lines = [["Point", pointText(at.place.point)]];
   if (at.image) {
     lines.push(["Image", pointText(at.image.point)]);
-    lines.push(["Distance", shortNumber(distance(at.place.point, at.image.point))]);
+    lines.push(["Distance to the image", shortNumber(distance(at.place.point, at.image.point))]);
   }
   const value = Channels.valueAt(channel, meshes[at.side], at.place);
   if (value) lines.push([channel.title, value]);
