@@ -3,11 +3,10 @@ class Channels {
   constructor(meshes) {
     this.list = [];
     if (meshes.some(mesh => mesh.hasOwnColors())) this.list.push({ title: "colors of the file", isOwn: true });
-    this.list.push({ title: "none", isPlain: true });
     meshes.forEach((mesh, side) => {
       for (let n = 0; hasData(mesh.name + ".channel" + n); ++n) this.add(mesh.name + ".channel" + n, side);
     });
-    this.list.push(this.list.splice(this.list.findIndex(channel => channel.isPlain), 1)[0]);
+    this.list.push({ title: "none", isPlain: true });
   }
 
   add(name, side) {
