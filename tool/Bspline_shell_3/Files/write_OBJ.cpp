@@ -1,6 +1,8 @@
-#include "GLTF_assets.h"
 #include "MTL.h"
+#include "MTL_assets.h"
 #include "Words.h"
+#include "color_coordinates.h"
+#include "materials_of.h"
 #include "name_beside.h"
 #include "numbers.h"
 #include "write_model.h"
@@ -12,6 +14,7 @@
 #include <filesystem>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -79,6 +82,11 @@ void write_OBJ(const Model& model, const std::string& file, Written_files& writt
   if(colors != nullptr && colors->dimension() > 3)
     written.warnings.push_back("Opacities of points are left out: an OBJ file cannot hold them.");
 
+  std::optional<Attribute> placed; // texture coordinates for the images of the materials
+  if(model.assets != nullptr)
+    placed = color_coordinates(model, *model.assets, materials_of_polygons(model, *model.assets));
+  if(placed) texture = &*placed;
+
   std::string text;
   for(const std::string& comment : model.comments)
     if(comment.front() == '#') text += comment + "\n";
@@ -115,12 +123,7 @@ void write_OBJ(const Model& model, const std::string& file, Written_files& writt
   std::vector<std::size_t> order(model.soup.polygons.size());
   std::iota(order.begin(), order.end(), 0);
   const auto label = [&](std::size_t s, std::size_t n) { return labels[s] != nullptr ? (*labels[s])[n][0] : 0; };
-  const auto text_of = [&](std::size_t s, std::size_t n) {
-    if(labels[s] == nullptr) return std::string();
-    const auto& names = labels[s]->names;
-    const std::size_t at = std::size_t(label(s, n));
-    return at < names.size() ? names[at] : std::to_string(long(label(s, n)));
-  };
+  const auto text_of = [&](std::size_t s, std::size_t n) { return labels[s] != nullptr ? labels[s]->text(n) : ""; };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t n, std::size_t m) {
     for(std::size_t s = 0; s < states.size(); ++s)
       if(label(s, n) != label(s, m)) return label(s, n) < label(s, m);

@@ -41,6 +41,7 @@ Written_files write_model(const Model& model, const std::string& file)
   Model single = model;
   if(model.format == "obj" && model.has_materials()) {
     single.materials.clear();
+    single.assets.reset();
     written.warnings.push_back("The material library is left out: the standard output is a single file.");
   }
   writer_of(name)(single, name, written);
