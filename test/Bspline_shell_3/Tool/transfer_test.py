@@ -283,8 +283,11 @@ with tempfile.TemporaryDirectory() as folder:
     files = sorted(os.listdir(folder))
     assert textures(in_folder("from.ply", "results/atlas.ply")) == [b"comment TextureFile baked.png"]
     assert textures(in_folder("from.ply", "results/atlas.ply", "--bake", "normals.png", "--size", "64")) == [b"comment TextureFile normals.png"]
-    assert b"mtllib" not in in_folder("painted.glb", "plain.obj")
+    for name in ("painted.glb", "results/atlas.ply"):
+        assert b"mtllib" not in in_folder(name, "plain.obj")
     assert sorted(os.listdir(folder)) == files, os.listdir(folder)
+    result(path("results/atlas.ply"), textured, "-o", path("results/again.obj"))
+    assert b"map_Kd ../baked.png" in read(path("results/again.mtl"))
 
     # A baked image never replaces a texture.
     for first, second, name in (("textured.obj", "atlas.obj", "paint.png"), ("from.ply", "textured.obj", "paint.png"),

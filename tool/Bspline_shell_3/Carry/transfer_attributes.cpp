@@ -126,14 +126,14 @@ Model transfer_attributes(const Model& from, const Model& to, const Triangulated
       attributes.push_back(std::move(copy));
     }
   });
-  if(choice.includes_textures && from.find(material_name, Element::POLYGON) != nullptr) {
+  const std::vector<std::string> textures = textures_in_comments(from, from.folder);
+  const bool has_materials = from.find(material_name, Element::POLYGON) != nullptr || !textures.empty();
+  if(choice.includes_textures && has_materials) {
     result.materials = from.materials;
     result.assets = from.assets;
-    set_textures_in_comments(result, textures_in_comments(result, from.folder));
+    set_textures_in_comments(result, textures.empty() ? textures_in_comments(result, from.folder) : textures);
     result.folder = from.folder;
   }
-  const std::vector<std::string> textures = textures_in_comments(from, result.folder);
-  if(choice.includes_textures && !textures.empty()) set_textures_in_comments(result, textures);
   progress(1);
   if(parts.is_one_to_one()) return result;
   Attribute mapped{ mapped_name, Element::POINT, Kind::LABEL, Number_type::UINT8, { mapped_name }, {}, {} };

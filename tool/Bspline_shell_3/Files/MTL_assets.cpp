@@ -97,6 +97,17 @@ tinygltf::Model assets_of_MTL(const std::string& materials)
   return gltf;
 }
 
+bool has_other_properties(const std::string& materials)
+{
+  constexpr std::array<std::string_view, 5> known = { "newmtl", "Kd", "d", "Tr", "map_Kd" };
+  Lines lines(materials);
+  while(lines.next()) {
+    const std::string_view keyword = lines.words[0];
+    if(keyword.front() != '#' && std::find(known.begin(), known.end(), keyword) == known.end()) return true;
+  }
+  return false;
+}
+
 std::string MTL_of_assets(const tinygltf::Model& gltf, const std::string& folder, const std::string& file,
                           Written_files& written)
 {

@@ -13,6 +13,9 @@ namespace Tool {
 // Returns materials with the colors, opacities, and color textures of a material library.
 tinygltf::Model assets_of_MTL(const std::string& materials);
 
+// Returns whether a material library has other properties.
+bool has_other_properties(const std::string& materials);
+
 // Returns a material library with the colors, opacities, and color textures of materials.
 // \param folder folder to which images are relative
 // \param file the OBJ file; images that are not in files are written beside it

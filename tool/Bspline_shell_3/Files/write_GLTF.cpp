@@ -1,5 +1,6 @@
 #include "GLTF_accessor.h"
 #include "GLTF_assets.h"
+#include "MTL_assets.h"
 #include "UTF8.h"
 #include "materials_of.h"
 #include "numbers.h"
@@ -253,7 +254,7 @@ private:
 void write_GLTF(const Model& model, const std::string& file, Written_files& written)
 {
   tinygltf::Model gltf = *materials_of(model);
-  if(!model.materials.empty() && model.assets == nullptr)
+  if(model.assets == nullptr && has_other_properties(model.materials))
     written.warnings.push_back("Of materials, a glTF file holds only names, colors (Kd), opacities (d), and color "
                                "textures (map_Kd, with -o, -s, and -clamp).");
   move_images(gltf, model.folder, std::filesystem::path(file).parent_path().string());
