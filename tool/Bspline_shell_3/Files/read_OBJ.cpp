@@ -1,3 +1,4 @@
+#include "MTL.h"
 #include "Words.h"
 #include "read_model.h"
 
@@ -181,13 +182,17 @@ private:
   void read_library(const std::string& name)
   {
     std::string text;
-    const std::string file = (std::filesystem::path(m_model.folder) / name).string();
+    const std::filesystem::path folder(m_model.folder);
+    const std::string file = (folder / name).string();
     if(read_text(file, text) != File_status::SUCCESS) {
       m_report.warnings.push_back("The material library " + name + " cannot be read.");
       return;
     }
     m_model.materials += text + (text.back() == '\n' ? "" : "\n");
     m_model.files.push_back(file);
+    Lines lines(text);
+    while(lines.next())
+      if(!texture_of(lines).empty()) m_model.files.push_back((folder / texture_of(lines)).string());
   }
 
   Model& m_model;

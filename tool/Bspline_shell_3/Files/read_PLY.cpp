@@ -2,12 +2,14 @@
 #include "Words.h"
 #include "numbers.h"
 #include "read_model.h"
+#include "texture_comments.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <optional>
@@ -305,6 +307,8 @@ File_report read_PLY(std::string_view text, Model& model)
       return report;
     }
   read_labels(model);
+  for(const std::string& texture : textures_in_comments(model, model.folder))
+    model.files.push_back((std::filesystem::path(model.folder) / texture).string());
   report.status = File_status::SUCCESS;
   return report;
 }
