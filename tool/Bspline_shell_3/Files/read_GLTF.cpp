@@ -108,10 +108,10 @@ bool is_translation(const Transform& t)
   return true;
 }
 
-class Reader
+class GLTF_reader
 {
 public:
-  Reader(const tinygltf::Model& gltf, Model& model, File_report& report)
+  GLTF_reader(const tinygltf::Model& gltf, Model& model, File_report& report)
     : m_gltf(gltf), m_model(model), m_report(report)
   {}
 
@@ -445,7 +445,7 @@ File_report read_GLTF(std::string_view text, Model& model)
     if(!std::filesystem::exists(model.files.back(), error))
       report.warnings.push_back("The file " + name + " does not exist.");
   }
-  const bool is_read = is_parsed && Reader(gltf, model, report).read();
+  const bool is_read = is_parsed && GLTF_reader(gltf, model, report).read();
   if(!is_read && report) report.status = File_status::MALFORMED;
   return report;
 }

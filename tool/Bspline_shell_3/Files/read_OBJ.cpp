@@ -65,10 +65,10 @@ bool read_index(std::string_view word, std::size_t size, std::size_t& index)
   return true;
 }
 
-class Reader
+class OBJ_reader
 {
 public:
-  Reader(Model& model, File_report& report) : m_model(model), m_report(report) {}
+  OBJ_reader(Model& model, File_report& report) : m_model(model), m_report(report) {}
 
   bool read(const Lines& lines)
   {
@@ -211,7 +211,7 @@ File_report read_OBJ(std::string_view text, Model& model)
 {
   File_report report;
   Lines lines(text, '\\');
-  Reader reader(model, report);
+  OBJ_reader reader(model, report);
   while(lines.next()) {
     // A comment may follow the words of a line.
     if(lines.words[0].front() != '#') {

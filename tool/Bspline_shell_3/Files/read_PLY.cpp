@@ -202,10 +202,11 @@ void read_labels(Model& model)
   model.comments = std::move(others);
 }
 
-class Reader
+class PLY_reader
 {
 public:
-  Reader(Numbers& numbers, Model& model, File_report& report) : m_numbers(numbers), m_model(model), m_report(report) {}
+  PLY_reader(Numbers& numbers, Model& model, File_report& report) : m_numbers(numbers), m_model(model), m_report(report)
+  {}
 
   bool read(const Section& section)
   {
@@ -298,7 +299,7 @@ File_report read_PLY(std::string_view text, Model& model)
     return report;
   }
   Numbers numbers(text, lines.position(), model.encoding);
-  Reader reader(numbers, model, report);
+  PLY_reader reader(numbers, model, report);
   for(const Section& section : sections)
     if(!reader.read(section)) {
       if(model.encoding == "ascii")

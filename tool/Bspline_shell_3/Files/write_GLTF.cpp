@@ -97,10 +97,10 @@ private:
 // Triangles that become a primitive: corners, three by three.
 typedef std::vector<std::size_t> Corners;
 
-class Writer
+class GLTF_writer
 {
 public:
-  Writer(const Model& model, tinygltf::Model& gltf, Written_files& written) : m_model(model), m_gltf(gltf)
+  GLTF_writer(const Model& model, tinygltf::Model& gltf, Written_files& written) : m_model(model), m_gltf(gltf)
   {
     for(const auto& polygon : model.soup.polygons) m_point_of.insert(m_point_of.end(), polygon.begin(), polygon.end());
     for(const char* name : { object_name, group_name, solid_name })
@@ -260,7 +260,7 @@ void write_GLTF(const Model& model, const std::string& file, Written_files& writ
   move_images(gltf, model.folder, std::filesystem::path(file).parent_path().string());
   for(tinygltf::Image& image : gltf.images)
     if(!image.image.empty()) image.bufferView = append_view(gltf, image.image);
-  Writer(model, gltf, written).write();
+  GLTF_writer(model, gltf, written).write();
   for(tinygltf::Material& material : gltf.materials) material.name = to_UTF8(material.name);
   tinygltf::TinyGLTF serializer;
   serializer.SetImageWriter(nullptr, nullptr);
