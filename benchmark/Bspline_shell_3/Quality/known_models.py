@@ -184,7 +184,7 @@ def models(meshes):
     ring_points, ring_quadrangles = torus(64, 32)
     ring_triangles = halved(ring_quadrangles)
     far, tiny = ball(16, 50, (5e5, 5e6, 120)), ball(16, 1e-6)
-    small = ball(8)
+    small = ball(6)
     yield unpacked(ball(16), "textured", "obj", has_texture=True)
     yield unpacked(ball(16), "scan", "ascii", ("colors", "confidence"), has_regions=False)
     yield painted("knot1", "knot", "binary_little_endian", "colors", "confidence")
