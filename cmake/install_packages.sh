@@ -13,4 +13,4 @@ install_packages() {
     apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 BUILD_PACKAGES=(g++ cmake ninja-build ccache libcgal-dev libcgal-demo libeigen3-dev libboost-dev libtbb-dev
-                libgmp-dev libmpfr-dev libcli11-dev libtinygltf-dev libstb-dev help2man)
+                libgmp-dev libmpfr-dev libcli11-dev libtinygltf-dev libstb-dev libjs-three help2man)

@@ -42,7 +42,7 @@ mkdir -p results
 begin=$(mktemp) status=0
 trap 'rm -f "$begin" "results/${name}_new.png" "results/${name}_subdivided.ply"' EXIT
 tool=$build/tool/Bspline_shell_3/bspline_shell prefix=results/$name
-"$tool" simplify "$mesh" "${options[@]}" -o "${prefix}_simplified.ply" --shell "$prefix" || status=$?
+"$tool" simplify "$mesh" "${options[@]}" -o "${prefix}_simplified.ply" --shell "$prefix" --view "$prefix.html" || status=$?
 draw() {      # PREFIX
   xvfb-run -a /usr/bin/python3 examples/Bspline_shell_3/render_shell.py "$1" "${prefix}_new.png" 2>"$build/render.log" &&
     [ -s "${prefix}_new.png" ] && mv "${prefix}_new.png" "$1.png"
@@ -64,6 +64,7 @@ else
 fi
 cat <<END
 Results:
+  $prefix.html              a page to turn both meshes and the shell, and to see the map between them
   ${prefix}_simplified.ply   the simplified mesh, with everything that the file has attached to the mesh
   ${prefix}.shell            the shell
   ${prefix}.json             report on the file, its repairs, and the shell

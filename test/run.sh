@@ -9,7 +9,7 @@ mode=${1-}
 . cmake/install_packages.sh
 packages=("${BUILD_PACKAGES[@]}" catch2 libsuitesparse-dev libopenmesh-dev python3)
 if [ "$mode" = --all ]; then
-  packages+=(libtet1.5-dev doxygen libjs-mathjax python3-matplotlib python3-pil python3-vtk9 snakemake xvfb xauth)
+  packages+=(libtet1.5-dev doxygen libjs-mathjax python3-matplotlib python3-pil python3-vtk9 snakemake xvfb xauth chromium)
 fi
 install_packages "${packages[@]}"
 

@@ -177,6 +177,11 @@ void add_output(CLI::App& verb, std::string& output)
     ->required();
 }
 
+void add_view(CLI::App& verb, std::string& view, const std::string& contents)
+{
+  verb.add_option("--view", view, "Write a page for a browser that shows " + contents)->type_name("PAGE.html");
+}
+
 void add_edit(CLI::App& verb, Tool::Edit_options& edit)
 {
   add_output(verb, edit.output);
@@ -184,6 +189,7 @@ void add_edit(CLI::App& verb, Tool::Edit_options& edit)
     .add_option("--shell", edit.shell,
                 "Write the shell, its mesh, and its surfaces as well; see the verb shell for the names")
     ->type_name("PREFIX");
+  add_view(verb, edit.view, "the mesh, the result, the shell, and the map between them");
   verb.add_flag("--keep-normals", edit.carries_normals, "Interpolate normals instead of recomputing them");
 }
 
@@ -287,6 +293,7 @@ int main(int argc, char** argv)
   add_shell(*verb, transfer, "as required by the distance of TO", "FROM", "The mesh with attributes");
   verb->add_option("TO", transfer.to, "The mesh that gets them; its points and polygons are kept")->required();
   add_output(*verb, transfer.output);
+  add_view(*verb, transfer.view, "both meshes, the shell, and the map between them");
   verb->add_flag("--normals", transfer.includes_normals, "Transfer normals as well");
   verb->add_option("--bake", transfer.image, "Bake colors of FROM into this PNG file, over texture coordinates of TO")
     ->type_name("IMAGE");
@@ -307,7 +314,7 @@ int main(int argc, char** argv)
   verb->callback([&] { outcome = Tool::transfer(transfer, writes_json); });
 
   Tool::Shell_options shell;
-  std::string prefix;
+  std::string prefix, page;
   verb = program.add_subcommand(
     "shell",
     "Build a certified shell, and write it with its surfaces and its proof.\n"
@@ -331,9 +338,10 @@ int main(int argc, char** argv)
       + lengths);
   add_shell(*verb, shell, "1%");
   verb->add_option("-o,--output", prefix, "Prefix of the names of the files")->required()->type_name("PREFIX");
+  add_view(*verb, page, "the mesh and the shell, or the places where the proof fails");
   add_limits(*verb, shell, threads);
   add_common(*verb, writes_json, "  bspline_shell shell part.stl -o part\n");
-  verb->callback([&] { outcome = Tool::shell(shell, prefix, writes_json); });
+  verb->callback([&] { outcome = Tool::shell(shell, prefix, page, writes_json); });
 
   Tool::Check_options check;
   verb = program.add_subcommand("check", "Describe a file: its attributes, its defects, and the shell that it can have."

@@ -12,6 +12,7 @@ struct Edit_options : Shell_options
 {
   std::string output;
   std::string shell; // prefix of the files of the shell; empty if they are not written
+  std::string view;  // page that shows the result; empty if it is not written
   bool carries_normals = false;
 };
 

@@ -2,9 +2,12 @@
 #include "Input.h"
 #include "Result_model.h"
 #include "Shell_files.h"
+#include "View_file.h"
 
 #include "../Carry/carry_attributes.h"
 #include "../Files/File_status.h"
+
+#include <utility>
 
 namespace Tool {
 
@@ -13,7 +16,18 @@ Outcome open_edit(const Edit_options& options, Model& model)
   if(const Outcome output = check_output(options.output, { options.input }); !output) return output;
   if(const Outcome read = read_input(options.input, model); !read) return read;
   if(!is_writable(options.output)) return { CANNOT_WRITE, options.output, message(File_status::CANNOT_WRITE) };
+  if(!options.view.empty())
+    if(const Outcome view = check_view(options.view); !view) return view;
   return options.shell.empty() ? DONE : check_shell_files(options.shell, { options.input, options.output });
+}
+
+Outcome fail_edit(const Outcome& outcome, const Edit_options& options, const Model& model,
+                  const BS::Shell_of_soup_3& found)
+{
+  Outcome failure = outcome;
+  if(!options.shell.empty()) failure = write_failure(failure, options.shell, found, options.input);
+  if(!options.view.empty()) failure = write_failure_view(failure, options.view, model, found);
+  return failure;
 }
 
 Outcome write_edit(const Edit_options& options, const Model& model, const Edited& result, Progress& progress,
@@ -24,9 +38,11 @@ Outcome write_edit(const Edit_options& options, const Model& model, const Edited
                                         summary.carried,
                                         [&](double fraction) { progress.show("attributes", fraction); });
   progress.clear();
-  const Contents of_shell = options.shell.empty() ? Contents()
-                                                  : shell_files(options.shell, *result.found, options.input);
-  return write_result(output, options.output, { &model }, of_shell, summary.attributes, summary.warnings);
+  Contents others = options.shell.empty() ? Contents() : shell_files(options.shell, *result.found, options.input);
+  if(!options.view.empty())
+    for(auto& file : view_of_edit(options.view, model, output, *result.found, summary))
+      others.push_back(std::move(file));
+  return write_result(output, options.output, { &model }, others, summary.attributes, summary.warnings);
 }
 
 } // namespace Tool

@@ -10,13 +10,20 @@
 
 #include "../Files/Model.h"
 
+#include <CGAL/Bspline_shell_3/Soup/Shell_of_soup_3.h>
+
 namespace Tool {
 
 // Reads the model, after it is clear that the results can be written and replace no input.
 Outcome open_edit(const Edit_options& options, Model& model);
 
-// Carries the attributes of the model to the edited mesh, and writes it, together with the files of its shell if they
-// are requested. Adds what is in the file to the summary.
+// Returns the outcome of an edit without a certified shell. If files of the shell or a page are requested, those that
+// describe the failure are written.
+Outcome fail_edit(const Outcome& outcome, const Edit_options& options, const Model& model,
+                  const BS::Shell_of_soup_3& found);
+
+// Carries the attributes of the model to the edited mesh, and writes it, together with the files of its shell and the
+// page if they are requested. Adds what is in the file to the summary.
 Outcome write_edit(const Edit_options& options, const Model& model, const Edited& result, Progress& progress,
                    Edit_summary& summary);
 

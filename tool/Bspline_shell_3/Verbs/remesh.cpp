@@ -2,7 +2,6 @@
 #include "Remeshed.h"
 #include "Result_files.h"
 #include "Result_model.h"
-#include "Shell_files.h"
 #include "edit.h"
 #include "number.h"
 #include "verbs.h"
@@ -46,12 +45,12 @@ Outcome remesh(const Remesh_options& options, bool writes_json)
                               rounds_coordinates(model, options.output) };
   const auto found = std::make_shared<BS::Shell_of_soup_3>();
   if(const Outcome shell = find_shell(model, options, target.thickness, time.left(), progress, *found); !shell)
-    return options.shell.empty() ? shell : write_failure(shell, options.shell, *found, options.input);
+    return fail_edit(shell, options, model, *found);
   const Remeshed result = remesh_in_shell(model, found, target, time, progress);
   if(!result) return { NOT_CERTIFIED, options.input, result.message };
   Edit_summary summary = summary_of(result, options.input, options.output);
-  if(const Outcome written = write_edit(options, model, result, progress, summary); !written) return written;
   summary.limit = message_of_end(result);
+  if(const Outcome written = write_edit(options, model, result, progress, summary); !written) return written;
   summary.seconds = time.seconds();
   if(writes_json) {
     Json json = json_of(summary, model, *found);

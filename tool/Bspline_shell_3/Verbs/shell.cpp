@@ -2,6 +2,7 @@
 #include "Json.h"
 #include "Progress.h"
 #include "Shell_files.h"
+#include "View_file.h"
 #include "number.h"
 #include "verbs.h"
 
@@ -9,22 +10,29 @@
 
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Tool {
 
-Outcome shell(const Shell_options& options, const std::string& prefix, bool writes_json)
+Outcome shell(const Shell_options& options, const std::string& prefix, const std::string& view, bool writes_json)
 {
   Model model;
   if(const Outcome read = read_input(options.input, model); !read) return read;
   if(const Outcome files = check_shell_files(prefix, { options.input }); !files) return files;
+  if(!view.empty())
+    if(const Outcome page = check_view(view); !page) return page;
   Progress progress;
   BS::Shell_of_soup_3 found;
   const double side = longest_side(model), thickness = thickness_of(options, side);
-  if(const Outcome outcome = find_shell(model, options, thickness, options.seconds, progress, found); !outcome)
-    return write_failure(outcome, prefix, found, options.input);
+  if(const Outcome outcome = find_shell(model, options, thickness, options.seconds, progress, found); !outcome) {
+    const Outcome failure = write_failure(outcome, prefix, found, options.input);
+    return view.empty() ? failure : write_failure_view(failure, view, model, found);
+  }
 
-  const Contents files = shell_files(prefix, found, options.input, true);
+  Contents files = shell_files(prefix, found, options.input, true);
+  if(!view.empty())
+    for(auto& file : view_of_shell(view, model, found, options.input)) files.push_back(std::move(file));
   const std::string failed = write_files(files);
   if(!failed.empty()) return { CANNOT_WRITE, failed, message(File_status::CANNOT_WRITE) };
   std::vector<std::string> names;

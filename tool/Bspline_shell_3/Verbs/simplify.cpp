@@ -1,6 +1,5 @@
 #include "Input.h"
 #include "Result_files.h"
-#include "Shell_files.h"
 #include "edit.h"
 #include "number.h"
 #include "verbs.h"
@@ -42,9 +41,7 @@ Outcome simplify(const Simplify_options& options, bool writes_json)
   Progress progress;
   Simplified result;
   if(const Outcome simplified = simplify_model(model, options, time, progress, result); !simplified)
-    return options.shell.empty() || !result.found
-             ? simplified
-             : write_failure(simplified, options.shell, *result.found, options.input);
+    return result.found ? fail_edit(simplified, options, model, *result.found) : simplified;
   const BS::Shell_of_soup_3& found = *result.found;
   const double tolerance = options.tolerance ? options.tolerance->in_box(longest_side(model)) : 0;
   if(options.tolerance && result.distances.largest() > tolerance)
@@ -55,10 +52,10 @@ Outcome simplify(const Simplify_options& options, bool writes_json)
                               : std::string()) };
 
   Edit_summary summary = summary_of(result, options.input, options.output);
-  if(const Outcome written = write_edit(options, model, result, progress, summary); !written) return written;
   summary.reaches_target = (options.facets == 0 && options.ratio == 0) || result.limit == Limit::FACETS;
   summary.removed_border_edges = result.removed_border_edges;
   summary.limit = message_of_limit(result);
+  if(const Outcome written = write_edit(options, model, result, progress, summary); !written) return written;
   summary.seconds = time.seconds();
   if(writes_json) {
     Json json = json_of(summary, model, found);

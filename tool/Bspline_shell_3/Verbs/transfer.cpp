@@ -3,6 +3,7 @@
 #include "Progress.h"
 #include "Result_model.h"
 #include "Transfer_map.h"
+#include "View_file.h"
 #include "distance_bound.h"
 #include "number.h"
 #include "verbs.h"
@@ -183,6 +184,8 @@ Outcome transfer(const Transfer_options& options, bool writes_json)
   std::vector<std::string> outputs = images_of(options);
   outputs.push_back(options.output);
   if(const Outcome files = check_files(outputs, { &from, &to }); !files) return files;
+  if(!options.view.empty())
+    if(const Outcome view = check_view(options.view); !view) return view;
   for(const std::string& file : outputs)
     if(!is_writable(file)) return { CANNOT_WRITE, file, message(File_status::CANNOT_WRITE) };
 
@@ -226,6 +229,11 @@ Outcome transfer(const Transfer_options& options, bool writes_json)
   if(const Outcome written = write_result(output, options.output, { &from, &to }, images, written_attributes, warnings);
      !written)
     return written;
+  if(!options.view.empty()) { // shows images that are baked, so that it follows them
+    const std::string failed = write_files(
+      view_of_transfer(options.view, from, output, map->found, options.output, map_message(*map)));
+    if(!failed.empty()) return { CANNOT_WRITE, failed, message(File_status::CANNOT_WRITE) };
+  }
   auto& names = transferred.transferred;
   const auto is_missing = [&](const std::string& name) {
     return std::find(written_attributes.begin(), written_attributes.end(), name) == written_attributes.end();

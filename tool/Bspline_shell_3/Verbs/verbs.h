@@ -26,6 +26,7 @@ Outcome remesh(const Remesh_options& options, bool writes_json);
 struct Transfer_options : Shell_options
 {
   std::string to, output;
+  std::string view; // page that shows both meshes; empty if it is not written
   bool includes_normals = false;
   std::string image, normal_image; // files to bake; empty if there is none
   std::size_t size = 1024;         // number of texels along each side
@@ -33,7 +34,8 @@ struct Transfer_options : Shell_options
 };
 Outcome transfer(const Transfer_options& options, bool writes_json);
 
-Outcome shell(const Shell_options& options, const std::string& prefix, bool writes_json);
+// \param view page that shows the shell; empty if it is not written
+Outcome shell(const Shell_options& options, const std::string& prefix, const std::string& view, bool writes_json);
 
 struct Check_options : Shell_options
 {
