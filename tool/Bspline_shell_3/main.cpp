@@ -91,16 +91,16 @@ std::string wrong_usage(const CLI::App& program, const CLI::App& app, const CLI:
 {
   const bool has_verb = &app != &program;
   const std::vector<std::string> unknown = app.remaining();
-  std::string verbs = " The verbs are";
+  std::string verbs = " The commands are";
   for(const std::string& name : verbs_of(program)) verbs += " " + name + ",";
   verbs.back() = '.';
-  if(unknown.empty()) return has_verb ? error.what() : "A verb is required." + verbs;
+  if(unknown.empty()) return has_verb ? error.what() : "A command is required." + verbs;
   const std::string& word = unknown.front();
   const bool is_option = word.compare(0, 1, "-") == 0;
   const std::string similar = nearest(word, app), hint = similar.empty() ? "." : ": did you mean " + similar + "?";
   if(word == "%") return "A percentage is written without a space: 1%.";
   if(is_option) return "There is no option " + word + hint;
-  if(!has_verb) return "There is no verb " + word + (similar.empty() ? "." + verbs : hint);
+  if(!has_verb) return "There is no command " + word + (similar.empty() ? "." + verbs : hint);
   const bool has_output = app.get_option_no_throw("--output") != nullptr && app.count("--output") == 0;
   return "The argument " + word + " is one too many"
          + (has_output ? ": to name the result, use -o " + word + "." : std::string("."));
@@ -187,7 +187,7 @@ void add_edit(CLI::App& verb, Tool::Edit_options& edit)
   add_output(verb, edit.output);
   verb
     .add_option("--shell", edit.shell,
-                "Write the shell, its mesh, and its surfaces as well; see the verb shell for the names")
+                "Write the shell, its mesh, and its surfaces as well; see the command shell for the names")
     ->type_name("PREFIX");
   add_view(verb, edit.view, "the mesh, the result, the shell, and the map between them");
   verb.add_flag("--keep-normals", edit.carries_normals, "Interpolate normals instead of recomputing them");
@@ -205,7 +205,7 @@ void add_limits(CLI::App& verb, Tool::Shell_options& shell, Thread_limit& thread
 
 void add_common(CLI::App& verb, bool& writes_json, const std::string& examples)
 {
-  verb.group("Verbs");
+  verb.group("Commands");
   verb.add_flag("--json", writes_json, "Print the result, or the error, as JSON");
   verb.footer("Examples\n" + examples + "\n" + Tool::exit_codes);
 }
@@ -217,7 +217,7 @@ public:
   Help_formatter()
   {
     column_width(32);
-    label("SUBCOMMAND", "VERB");
+    label("SUBCOMMAND", "COMMAND");
   }
   std::string make_subcommand(const CLI::App* verb) const override
   {
@@ -240,7 +240,7 @@ int main(int argc, char** argv)
                    "bspline_shell");
   program.formatter(std::make_shared<Help_formatter>());
   program.set_version_flag("--version", std::string("bspline_shell ") + BSPLINE_SHELL_3_VERSION);
-  program.set_help_all_flag("--help-all", "Print the help of all verbs");
+  program.set_help_all_flag("--help-all", "Print the help of all commands");
   program.require_subcommand(1);
   program.footer(Tool::exit_codes);
   bool writes_json = false;
@@ -318,7 +318,7 @@ int main(int argc, char** argv)
   verb = program.add_subcommand(
     "shell",
     "Build a certified shell, and write it with its surfaces and its proof.\n"
-    "  PREFIX.shell                 the shell, for the verb certify and the library's function read_shell()\n"
+    "  PREFIX.shell                 the shell, for the command certify and the library's function read_shell()\n"
     "  PREFIX.json                  report on the file, its repairs, and the shell\n"
     "  PREFIX_mesh.ply              the mesh of the shell: the mesh of the file, the part of it without\n"
     "                               excised triangles, the union of its parts, or a proxy\n"
@@ -363,7 +363,7 @@ int main(int argc, char** argv)
                                 "  gradient         no curve ends within the shell\n"
                                 "  one_sheet        each part of the shell contains one part of the mesh\n"
                                 "  degree_one       a path from the inner to the outer surface crosses the mesh once");
-  verb->add_option("SHELL", shell_file, "The file PREFIX.shell that the verb shell has written")->required();
+  verb->add_option("SHELL", shell_file, "The file PREFIX.shell that the command shell has written")->required();
   verb->add_option("MESH", mesh_file, "The mesh")->required();
   add_common(*verb, writes_json,
 
