@@ -6,7 +6,8 @@
 # same run, so machines with the same number of processors are comparable. Numbers of cells and facets are compared
 # directly. No other program should run meanwhile.
 # The exit code is 1 if a figure is worse by more than noise, or if a fixed figure has changed; --update stores the new
-# figures instead.
+# figures instead. It does not include the program bspline_shell, whose results Quality/tool_benchmark.py compares with
+# known functions.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . cmake/install_packages.sh

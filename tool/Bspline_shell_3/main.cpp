@@ -23,6 +23,7 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -63,7 +64,14 @@ std::size_t edit_distance(const std::string& a, const std::string& b)
   return row.back();
 }
 
-// Names the option or verb that is most similar to an unknown one.
+std::vector<std::string> verbs_of(const CLI::App& program)
+{
+  std::vector<std::string> names;
+  for(const CLI::App* verb : program.get_subcommands(nullptr)) names.push_back(verb->get_name());
+  return names;
+}
+
+// Returns the option or verb that is most similar to an unknown one, or an empty name if none is similar.
 std::string nearest(const std::string& word, const CLI::App& app)
 {
   std::string best;
@@ -74,28 +82,36 @@ std::string nearest(const std::string& word, const CLI::App& app)
     for(const CLI::Option* option : app.get_options())
       for(const std::string& name : option->get_lnames()) consider("--" + name);
   } else
-    for(const CLI::App* verb : app.get_subcommands(nullptr)) consider(verb->get_name());
-  return best;
+    for(const std::string& name : verbs_of(app)) consider(name);
+  return 2 * edit_distance(word, best) <= word.size() ? best : "";
+}
+
+// Returns the fault in the arguments of the program as a sentence.
+std::string wrong_usage(const CLI::App& program, const CLI::App& app, const CLI::ParseError& error)
+{
+  const bool has_verb = &app != &program;
+  const std::vector<std::string> unknown = app.remaining();
+  std::string verbs = " The commands are";
+  for(const std::string& name : verbs_of(program)) verbs += " " + name + ",";
+  verbs.back() = '.';
+  if(unknown.empty()) return has_verb ? error.what() : "A command is required." + verbs;
+  const std::string& word = unknown.front();
+  const bool is_option = word.compare(0, 1, "-") == 0;
+  const std::string similar = nearest(word, app), hint = similar.empty() ? "." : ": did you mean " + similar + "?";
+  if(word == "%") return "A percentage is written without a space: 1%.";
+  if(is_option) return "There is no option " + word + hint;
+  if(!has_verb) return "There is no command " + word + (similar.empty() ? "." + verbs : hint);
+  const bool has_output = app.get_option_no_throw("--output") != nullptr && app.count("--output") == 0;
+  return "The argument " + word + " is one too many"
+         + (has_output ? ": to name the result, use -o " + word + "." : std::string("."));
 }
 
 int refuse(const CLI::App& program, const CLI::ParseError& error)
 {
   const auto verbs = program.get_subcommands();
   const CLI::App& app = verbs.empty() ? program : *verbs.front();
-  const std::vector<std::string> unknown = app.remaining();
-  if(unknown.empty()) std::cerr << error.what() << "\n";
-  else {
-    const bool is_option = unknown.front().compare(0, 1, "-") == 0;
-    const std::string similar = nearest(unknown.front(), app);
-    std::cerr << "There is no "
-              << (is_option       ? "option "
-                  : verbs.empty() ? "verb "
-                                  : "further argument ")
-              << unknown.front();
-    if(similar.empty()) std::cerr << ".\n";
-    else std::cerr << ": did you mean " << similar << "?\n";
-  }
-  std::cerr << "See bspline_shell " << (verbs.empty() ? "" : app.get_name() + " ") << "--help." << std::endl;
+  std::cerr << wrong_usage(program, app, error) << "\nSee bspline_shell " << (verbs.empty() ? "" : app.get_name() + " ")
+            << "--help." << std::endl;
   return Tool::WRONG_USAGE;
 }
 
@@ -126,14 +142,29 @@ CLI::Validator positive(double largest = std::numeric_limits<double>::infinity()
     "");
 }
 
+// Checks that a number is a positive integer.
+CLI::Validator natural()
+{
+  return CLI::Validator(
+    [](std::string& text) {
+      const bool is_natural = !text.empty() && text.find_first_not_of("0123456789") == text.npos
+                              && text.find_first_not_of('0') != text.npos;
+      return is_natural ? std::string() : "cannot be " + text + ": give a positive integer.";
+    },
+    "");
+}
+
 void add_shell(CLI::App& verb, Tool::Shell_options& shell, const std::string& thickness, const std::string& name = "IN",
                const std::string& mesh = "The mesh")
 {
   verb.add_option(name, shell.input, mesh)->required();
   add_length(verb, "--thickness", shell.thickness, "Thickness of the shell (default: " + thickness + ")");
   add_length(verb, "--weld", shell.weld,
-             "Distance of points that are welded if this closes cracks (default: a few units in the last digit)");
-  verb.add_option("--excise", shell.excised_percentage, "Largest part of the area that may be excised, in percent")
+             "Merge points within this distance if this closes cracks (default: a few units in the last digit)");
+  verb
+    .add_option("--excise", shell.excised_percentage,
+                "Largest part of the area, in percent, that may be left out of the shell because of intersections and "
+                "other defects; it stays as it is")
     ->check(CLI::Range(0., 100.))
     ->capture_default_str();
 }
@@ -156,7 +187,7 @@ void add_edit(CLI::App& verb, Tool::Edit_options& edit)
   add_output(verb, edit.output);
   verb
     .add_option("--shell", edit.shell,
-                "Write the shell, its mesh, and its surfaces as well; see the verb shell for the names")
+                "Write the shell, its mesh, and its surfaces as well; see the command shell for the names")
     ->type_name("PREFIX");
   add_view(verb, edit.view, "the mesh, the result, the shell, and the map between them");
   verb.add_flag("--keep-normals", edit.carries_normals, "Interpolate normals instead of recomputing them");
@@ -169,14 +200,33 @@ void add_limits(CLI::App& verb, Tool::Shell_options& shell, Thread_limit& thread
     ->check(positive())
     ->capture_default_str();
   verb.add_option_function<std::size_t>("--threads", std::ref(threads), "Number of threads (default: all processors)")
-    ->check(positive());
+    ->check(natural());
 }
 
 void add_common(CLI::App& verb, bool& writes_json, const std::string& examples)
 {
+  verb.group("Commands");
   verb.add_flag("--json", writes_json, "Print the result, or the error, as JSON");
   verb.footer("Examples\n" + examples + "\n" + Tool::exit_codes);
 }
+
+// Lists verbs with the first lines of their descriptions.
+class Help_formatter : public CLI::Formatter
+{
+public:
+  Help_formatter()
+  {
+    column_width(32);
+    label("SUBCOMMAND", "COMMAND");
+  }
+  std::string make_subcommand(const CLI::App* verb) const override
+  {
+    const std::string description = verb->get_description();
+    std::ostringstream out;
+    CLI::detail::format_help(out, verb->get_name(), description.substr(0, description.find('\n')), column_width_);
+    return out.str();
+  }
+};
 
 } // namespace
 
@@ -184,14 +234,15 @@ int main(int argc, char** argv)
 {
   CLI::App program("Simplifies triangle meshes and keeps everything that is attached to them: colors, texture\n"
                    "coordinates, materials, groups, labels, and other properties. The distance and the one-to-one map\n"
-                   "between the original and the result are proved. Files: PLY, OBJ with MTL, OFF,\n"
-                   "STL, glTF, GLB; - is the standard input or output.",
+                   "between the original and the result are proved: both lie in a shell, a thin layer around the\n"
+                   "surface, and each curve through it meets each of them once. Files: PLY, OBJ with MTL, OFF, STL,\n"
+                   "glTF, GLB; - is the standard input or output.",
                    "bspline_shell");
+  program.formatter(std::make_shared<Help_formatter>());
   program.set_version_flag("--version", std::string("bspline_shell ") + BSPLINE_SHELL_3_VERSION);
-  program.set_help_all_flag("--help-all", "Print the help of all verbs");
+  program.set_help_all_flag("--help-all", "Print the help of all commands");
   program.require_subcommand(1);
   program.footer(Tool::exit_codes);
-  program.get_formatter()->column_width(32);
   bool writes_json = false;
   Thread_limit threads;
   Tool::Outcome outcome;
@@ -200,11 +251,10 @@ int main(int argc, char** argv)
 
   Tool::Simplify_options simplify;
   CLI::App* verb = program.add_subcommand("simplify", "Simplify a mesh, and keep its attributes." + lengths);
-  add_shell(*verb, simplify, "as required by the tolerance or the number of facets; at first, the tolerance or 1%");
   add_edit(*verb, simplify);
   add_length(*verb, "--tolerance", simplify.tolerance,
-             "No point of either surface is farther from the other (default: none)");
-  auto* facets = verb->add_option("--facets", simplify.facets, "Stop at this number of triangles")->check(positive());
+             "Largest distance of any point of either surface from the other one (default: no limit)");
+  auto* facets = verb->add_option("--facets", simplify.facets, "Stop at this number of triangles")->check(natural());
   verb->add_option("--ratio", simplify.ratio, "Stop at this fraction of the number of triangles")
     ->check(positive(1))
     ->excludes(facets);
@@ -212,17 +262,18 @@ int main(int argc, char** argv)
              "Simplify open borders within this distance (default: borders are kept)");
   verb->add_flag("--cut-seams", simplify.cuts_lines,
                  "Cut facets along seams and borders of labels, so that none lies across one");
+  add_shell(*verb, simplify, "as required by the tolerance or the number of facets; at first, the tolerance or 1%");
   add_limits(*verb, simplify, threads);
   add_common(*verb, writes_json,
              "  bspline_shell simplify scan.obj -o small.obj --tolerance 0.5%\n"
              "  bspline_shell simplify part.stl -o part.ply --facets 10000\n"
-             "  bspline_shell simplify terrain.ply -o coarse.ply --tolerance 2 --border 2\n");
+             "  bspline_shell simplify terrain.ply -o coarse.ply --tolerance 2 --border 2\n"
+             "  bspline_shell simplify - -o - --ratio 0.1 < scan.ply > small.ply\n");
   verb->callback([&] { outcome = Tool::simplify(simplify, writes_json); });
 
   Tool::Remesh_options remesh;
   verb = program.add_subcommand("remesh",
                                 "Remesh a mesh to edges of about one length, and keep its attributes." + lengths);
-  add_shell(*verb, remesh, "1%");
   add_edit(*verb, remesh);
   add_length(*verb, "--edge", remesh.edge, "Length of edges");
   verb->get_option("--edge")->required();
@@ -232,6 +283,7 @@ int main(int argc, char** argv)
     ->type_name("ANGLE")
     ->check(CLI::Range(0., 180.))
     ->capture_default_str();
+  add_shell(*verb, remesh, "1%");
   add_limits(*verb, remesh, threads);
   add_common(*verb, writes_json, "  bspline_shell remesh part.ply -o even.ply --edge 1% --features 40\n");
   verb->callback([&] { outcome = Tool::remesh(remesh, writes_json); });
@@ -265,8 +317,8 @@ int main(int argc, char** argv)
   std::string prefix, page;
   verb = program.add_subcommand(
     "shell",
-    "Build a certified shell, and write these files:\n"
-    "  PREFIX.shell                 the shell\n"
+    "Build a certified shell, and write it with its surfaces and its proof.\n"
+    "  PREFIX.shell                 the shell, for the command certify and the library's function read_shell()\n"
     "  PREFIX.json                  report on the file, its repairs, and the shell\n"
     "  PREFIX_mesh.ply              the mesh of the shell: the mesh of the file, the part of it without\n"
     "                               excised triangles, the union of its parts, or a proxy\n"
@@ -291,17 +343,32 @@ int main(int argc, char** argv)
   add_common(*verb, writes_json, "  bspline_shell shell part.stl -o part\n");
   verb->callback([&] { outcome = Tool::shell(shell, prefix, page, writes_json); });
 
-  Tool::Shell_options check;
-  verb = program.add_subcommand("check", "Describe a file, its defects, and the shell it can have." + lengths);
+  Tool::Check_options check;
+  verb = program.add_subcommand("check", "Describe a file: its attributes, its defects, and the shell that it can have."
+                                           + lengths);
   add_shell(*verb, check, "1%");
-  add_common(*verb, writes_json, "  bspline_shell check part.stl --thickness 0.2\n");
+  verb->add_option("--distance", check.other, "Prove how far the surface is from that of another file, and conversely")
+    ->type_name("MESH");
+  add_common(*verb, writes_json,
+             "  bspline_shell check part.stl --thickness 0.2\n"
+             "  bspline_shell check part.stl --distance part_of_supplier.stl\n");
   verb->callback([&] { outcome = Tool::check(check, writes_json); });
 
   std::string shell_file, mesh_file;
-  verb = program.add_subcommand("certify", "Prove that a mesh lies in a shell and is mapped one-to-one.");
-  verb->add_option("SHELL", shell_file, "The shell")->required();
+  verb = program.add_subcommand("certify",
+                                "Prove that a mesh lies in a shell and is mapped one-to-one.\n"
+                                "The claims:\n"
+                                "  containment      the mesh lies in the shell\n"
+                                "  transversality   each facet faces along the curves that lead through the shell\n"
+                                "  gradient         no curve ends within the shell\n"
+                                "  one_sheet        each part of the shell contains one part of the mesh\n"
+                                "  degree_one       a path from the inner to the outer surface crosses the mesh once");
+  verb->add_option("SHELL", shell_file, "The file PREFIX.shell that the command shell has written")->required();
   verb->add_option("MESH", mesh_file, "The mesh")->required();
-  add_common(*verb, writes_json, "  bspline_shell certify part.shell part_remeshed.ply\n");
+  add_common(*verb, writes_json,
+
+             "  bspline_shell shell part.ply -o part\n"
+             "  bspline_shell certify part.shell part_remeshed.ply\n");
   verb->callback([&] { outcome = Tool::certify(shell_file, mesh_file, writes_json); });
 
   try {

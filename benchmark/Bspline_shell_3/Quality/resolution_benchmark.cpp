@@ -21,7 +21,7 @@
 // of the mesh's box. The first line has the columns, rows, first point and step. Each point follows in a line, row by
 // row: f, and its position between the thresholds, from 0 to 1. Both are nan outside the cells of the shell.
 #include "../meshes_in_shell.h"
-#include "../../../examples/Bspline_shell_3/example_output.h"
+#include "../write_ply.h"
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/bspline_shell_3.h>
@@ -89,8 +89,8 @@ template <typename Shell_>
 bool write_output(const Options& options, const std::string& name, const Shell_& shell, const Mesh& mesh)
 {
   const std::string prefix = options.prefix + "_" + name + "_";
-  return write_surface(prefix + "inner.ply", shell, shell.inner_threshold()) == 0
-         && write_surface(prefix + "outer.ply", shell, shell.outer_threshold()) == 0
+  return write_surface(prefix + "inner.ply", shell, shell.inner_threshold())
+         && write_surface(prefix + "outer.ply", shell, shell.outer_threshold())
          && write_slice(prefix + "slice.txt", shell, mesh, options.axis, options.part);
 }
 

@@ -13,10 +13,11 @@
 //                       texture coordinates
 //   figure_data excised PREFIX                          a ball with stray triangles, and the simplified ball
 #include "../../../examples/Bspline_shell_3/broken_models.h"
-#include "../../../examples/Bspline_shell_3/example_output.h"
+#include "../../../benchmark/Bspline_shell_3/write_ply.h"
 
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
+#include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/IO/write_VTU.h>
 #include <CGAL/Bspline_shell_3/Mesh/replace_patches.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
@@ -132,10 +133,8 @@ void write_curves(const Mesh& mesh, const std::string& prefix, double thickness,
   const Shell shell = certified_shell(mesh, thickness);
   const Mesh coarse = simplified(mesh, shell, facets);
   require(write_mesh(prefix + "_simplified.ply", coarse), "A mesh cannot be written.");
-  require(write_surface(prefix + "_inner.ply", shell, shell.inner_threshold()) == 0,
-          "The inner surface was not written.");
-  require(write_surface(prefix + "_outer.ply", shell, shell.outer_threshold()) == 0,
-          "The outer surface was not written.");
+  require(write_surface(prefix + "_inner.ply", shell, shell.inner_threshold()), "The inner surface was not written.");
+  require(write_surface(prefix + "_outer.ply", shell, shell.outer_threshold()), "The outer surface was not written.");
 
   const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
   int axis = 0;

@@ -291,8 +291,20 @@ with tempfile.TemporaryDirectory() as folder:
     assert 1.8 < report["thinnest_wall"] <= 2.01 and report["narrow_area"] == 0, report
     report = result("check", path("stray.ply"))
     assert report["kind"] == "excised" and report["intersecting_facets"] > 0 and report["facets"], report
+    # three triangles at an edge
+    write(path("book.off"), "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0\n0 1 0\n-1 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n")
+    report = result("check", path("book.off"))
+    assert report["edges_with_one_polygon"] == 6 and report["edges_with_several_polygons"] == 1, report
     report = result("check", os.path.join(meshes, "holes.off"))
     assert report["kind"] == "virtually closed" and report["border_edges"] > 0, report
+    assert 'material (polygons: "east side", "west side")' in result("check", path("in.obj"))["attributes"], report
+    report = result("check", path("in.ply"))
+    assert "color (points: red, green, blue)" in report["attributes"], report
+    write(path("twice.ply"), as_ply("ascii", [tuple(2 * x for x in p) for p in points], triangles, [], []))
+    report = result("check", path("twice.ply"), "--distance", path("in.ply"))
+    assert 0.99 < report["distance_from_other"] < 1.02 and 0.99 < report["distance_to_other"] < 1.02, report
+    report = result("check", path("in.ply"), "--distance", path("in.ply"))
+    assert max(report["distance_to_other"], report["distance_from_other"]) < 1e-4, report
     report = result("shell", path("in.ply"), "-o", path("shell"))
     for name in report["files"]:
         assert os.path.getsize(name) > 0, name
@@ -301,7 +313,10 @@ with tempfile.TemporaryDirectory() as folder:
     write(path("big.off"), "OFF\n8 12 0\n" + "".join("%d %d %d\n" % (3 * (i & 1), 3 * (i >> 1 & 1), 3 * (i >> 2)) for i in range(8))
           + "".join("3 %d %d %d\n" % t for t in ((0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4), (1, 3, 7),
                                                  (1, 7, 5), (3, 2, 6), (3, 6, 7), (2, 0, 4), (2, 4, 6))))
-    assert run("certify", path("shell.shell"), path("big.off")).returncode == NOT_CERTIFIED
+    done = run("certify", path("shell.shell"), path("big.off"))
+    assert done.returncode == NOT_CERTIFIED and "is not certified" in done.stdout and "containment" in done.stderr, done
+    done = run("certify", path("in.ply"), path("big.off"))
+    assert done.returncode == WRONG_INPUT and "is not a shell" in done.stderr, done
 
     # manners
     for arguments in ((), ("simplify",), ("check",), ("shell",), ("certify",)):
@@ -312,10 +327,18 @@ with tempfile.TemporaryDirectory() as folder:
     assert done.returncode == WRONG_USAGE and "--tolerence" in done.stderr and "--tolerance" in done.stderr, done
     done = run("simplfy", path("in.ply"))
     assert done.returncode == WRONG_USAGE and "did you mean simplify" in done.stderr, done
+    done = run("convert", path("in.ply"))
+    assert done.returncode == WRONG_USAGE and "transfer" in done.stderr and "did you mean" not in done.stderr, done
+    done = run("simplify", path("in.ply"), path("t.ply"))
+    assert done.returncode == WRONG_USAGE and "-o " + path("t.ply") in done.stderr, done
+    done = run("remesh", path("in.ply"), "-o", path("t.ply"), "--edge", "3")
+    assert done.returncode == WRONG_USAGE and "longest side" in done.stderr, done
     for arguments in ((), ("simplify",), ("simplify", path("in.ply")), ("simplify", path("in.ply"), "-o", path("t.xyz")),
                       ("simplify", path("in.ply"), "-o", path("in.ply")),
                       ("simplify", path("in.ply"), "-o", path("t.ply"), "--tolerance", "0"),
-                      ("simplify", path("in.ply"), "-o", path("t.ply"), "--tolerance", "x%")):
+                      ("simplify", path("in.ply"), "-o", path("t.ply"), "--tolerance", "x%"),
+                      ("simplify", path("in.ply"), "-o", path("t.ply"), "--tolerance", "1", "%"),
+                      ("simplify", path("in.ply"), "-o", path("t.ply"), "--facets", "1e3")):
         assert run(*arguments).returncode == WRONG_USAGE, arguments
     done = run("simplify", path("missing.ply"), "-o", path("t.ply"), "--json")
     failure = json.loads(done.stdout)

@@ -133,7 +133,7 @@ def as_obj(points, polygons, uv=None, head=""):
     text, corner = head + "".join("v %r %r %r\n" % tuple(p) for p in points), 1
     for n, polygon in enumerate(polygons):
         if uv:
-            text += "".join("vt %r %r\n" % tuple(x) for x in uv[n])
+            text += "".join("vt " + " ".join(map(repr, x)) + "\n" for x in uv[n])
             text += "f " + " ".join("%d/%d" % (v + 1, corner + i) for i, v in enumerate(polygon)) + "\n"
             corner += len(polygon)
         else:

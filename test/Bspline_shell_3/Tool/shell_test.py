@@ -84,7 +84,7 @@ with tempfile.TemporaryDirectory() as folder:
                              ("text.txt", "no mesh", "text.txt: The file format"),
                              ("none.stl", "", "none.stl: The file is empty"),
                              ("empty.off", "OFF\n0 0 0\n", "no polygons"), ("points.ply", ply % (0, "0"), "no polygons"),
-                             ("nan.ply", ply % (1, "nan") + "3 0 1 2\n", "vertices: 0")):
+                             ("nan.ply", ply % (1, "nan") + "3 0 1 2\n", "vertices, counted from 0: 0")):
         done = shell(folder / name if text is None else write(folder / name, text), "cube")
         assert done.returncode == WRONG_INPUT and said in done.stderr, (name, done)
         assert contents() == before, name

@@ -4,6 +4,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <string>
+#include <vector>
+
 namespace test_Image {
 
 using namespace Tool;
@@ -12,12 +15,16 @@ TEST_CASE("Image: a PNG file that is written and read has the same texels")
 {
   Image image(3, 2);
   for(std::size_t n = 0; n < image.values.size(); ++n) image.values[n] = static_cast<unsigned char>(13 * n);
-  const Temporary_file file("image.png", png_of(image));
+  const Temporary_file file("image.png", *png_of(image));
   const auto again = read_image("image.png");
   REQUIRE(again);
   CHECK(again->width == 3);
   CHECK(again->height == 2);
   CHECK(again->values == image.values);
+  const std::string text = contents("image.png");
+  const auto from_memory = read_image(std::vector<unsigned char>(text.begin(), text.end()));
+  REQUIRE(from_memory);
+  CHECK(from_memory->values == image.values);
 }
 
 TEST_CASE("Image: other files are no images")
@@ -25,6 +32,8 @@ TEST_CASE("Image: other files are no images")
   const Temporary_file file("text.png", "not an image");
   CHECK(!read_image("text.png"));
   CHECK(!read_image("missing.png"));
+  CHECK(!read_image(std::vector<unsigned char>{ 1, 2, 3 }));
+  CHECK(!read_image(std::vector<unsigned char>()));
 }
 
 TEST_CASE("Image: samples at centers are texels, and others are interpolated")

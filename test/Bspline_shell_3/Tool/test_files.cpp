@@ -295,4 +295,24 @@ TEST_CASE("Each attribute is written, or a warning names it")
   CHECK(write_model(model, "x.stl").warnings.size() == 5);
 }
 
+TEST_CASE("OBJ: the textures of material libraries are files of the model")
+{
+  const Temporary_file library("scan.mtl", "newmtl a\nmap_Kd -s 2 2 old oak.png\nbump pictures/bump.png\n");
+  const Model model = model_of("scan.obj", "mtllib scan.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
+  CHECK(model.files == std::vector<std::string>{ "scan.obj", "scan.mtl", "old oak.png", "pictures/bump.png" });
+}
+
+TEST_CASE("PLY: names of textures are relative to the folder of the file, also for models of other formats")
+{
+  std::string text = square;
+  text.insert(text.find("obj_info"), "comment TextureFile pictures/old oak.png\n");
+  Model model = model_of("square.ply", text);
+  CHECK(model.files == std::vector<std::string>{ "square.ply", "pictures/old oak.png" });
+  CHECK(text_of(model, "square.ply") == text);
+  const std::string moved = "comment TextureFile ../pictures/old oak.png\n";
+  CHECK(text_of(model, "folder/square.ply").find(moved) != std::string::npos);
+  model.encoding.clear();
+  CHECK(text_of(model, "folder/square.ply").find(moved) != std::string::npos);
+}
+
 } // namespace test_files

@@ -3,6 +3,7 @@ mesh, marks, and baked images.
 
 Usage: transfer_test.py BSPLINE_SHELL
 """
+import base64
 import json
 import math
 import os
@@ -10,7 +11,7 @@ import subprocess
 import sys
 import tempfile
 
-from mesh_files import as_obj, as_ply, centroid, read, read_obj, read_ply, sphere, torus, write
+from mesh_files import as_glb, as_obj, as_ply, centroid, read, read_obj, read_ply, sphere, torus, write
 from png_files import as_png, read_png
 
 program, = sys.argv[1:]
@@ -80,6 +81,17 @@ with tempfile.TemporaryDirectory() as folder:
         assert face["label"][i] == side(c) or abs(c[0]) < 0.12, c
         assert abs(face["quality"][i] - c[1]) < 0.06, c
 
+    # Attributes of points and triangles with the same name, and marks of an earlier transfer
+    twice = [("quality", "double", lambda p: p[0]), ("mapped", "uchar", lambda p: NEAREST)]
+    write(path("twice.ply"), as_ply("ascii", points, triangles, twice, [("quality", "float", lambda p: p[1])]))
+    write(path("marked.ply"), as_ply("ascii", other, other_triangles, [(n, t, lambda p: 1) for n, t, _ in twice], []))
+    report = result(path("twice.ply"), path("marked.ply"), "-o", path("twice_out.ply"))
+    assert report["is_one_to_one"] and report["replaced"] == ["quality"] and report["attributes"] == ["quality"] * 2, report
+    after = read_ply(path("twice_out.ply"))[2]
+    assert "mapped" not in after["vertex"][1], after["vertex"][0]
+    assert max(abs(x - p[0]) for x, p in zip(after["vertex"][1]["quality"], map(unit, other))) < 0.01
+    assert max(abs(x - centroid(other, t)[1]) for x, t in zip(after["face"][1]["quality"], other_triangles)) < 0.06
+
     # A torus; quadrangles remain, and the mesh may be turned inside out
     smooth = lambda p: p[0] + p[1] * p[2]
     ring, quads = torus(60, 30)
@@ -128,11 +140,13 @@ with tempfile.TemporaryDirectory() as folder:
     report = result(source, path("far.ply"), "-o", path("far_out.ply"), code=NOT_CERTIFIED)
     assert report["nearest_area"] == 1 and set(read_ply(path("far_out.ply"))[2]["vertex"][1]["mapped"]) == {NEAREST}, report
 
-    # A point without polygons, and a polygon without area
-    write(path("odd.ply"), as_ply("ascii", other + [(0.0, 1.5, 0.0)], other_triangles + [(5, 5, 6)], [], []))
+    # A point without polygons, a polygon without area, and one without points
+    odd = as_ply("ascii", other + [(0.0, 1.5, 0.0)], other_triangles + [(5, 5, 6)], [], []) + b"0\n"
+    number = len(other_triangles) + 2
+    write(path("odd.ply"), odd.replace(b"element face %d" % (number - 1), b"element face %d" % number))
     report = result(source, path("odd.ply"), "-o", path("odd_out.ply"))
     vertex, face = (read_ply(path("odd_out.ply"))[2][e][1] for e in ("vertex", "face"))
-    assert abs(vertex["heat"][-1]) < 0.01 and len(face["label"]) == len(other_triangles) + 1, vertex["heat"][-1]
+    assert abs(vertex["heat"][-1]) < 0.01 and len(face["label"]) == number, vertex["heat"][-1]
 
     # Excised triangles and proxies: a stray triangle, and a gap that is too large
     stray = [(0.9, -0.02, 0.3), (1.1, 0.0, 0.31), (0.9, 0.02, 0.32)]
@@ -234,8 +248,54 @@ with tempfile.TemporaryDirectory() as folder:
                     margin += 1
                     assert min(max(abs(a - b) for a, b in zip(rows[y][x], rows[v][u])) for u, v in near) < 12, (x, y)
         assert margin > 1000, margin
-    report = result(source, path("atlas.obj"), "-o", path("baked.obj"), "--bake-normals", path("normals.png"), "--size", "256")
-    check_image(path("normals.png"), 256, color, 3, 0.7)
+    both = [path("baked.png"), path("normals.png")]
+    os.remove(both[0])
+    report = result(source, path("atlas.obj"), "-o", path("baked.obj"), "--bake", both[0], "--bake-normals", both[1], "--size", "256")
+    assert report["images"] == both, report
+    for image in both:
+        check_image(image, 256, color, 3, 0.7)
+
+    # Textures of glTF files, in the file and beside it
+    columns = [("POSITION", 5126, "VEC3", [points[v] for t in triangles for v in t]),
+               ("TEXCOORD_0", 5126, "VEC2", [(u, 1 - v) for corners in corners_of(points, triangles) for u, v in corners])]
+    painted = {"materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}], "textures": [{"source": 0}]}
+    image = read(path("paint.png"))
+    for uri in (None, "data:image/png;base64," + base64.b64encode(image).decode(), "paint.png"):
+        more = {"images": [{"uri": uri}]} if uri else {}
+        write(path("painted.glb"), as_glb(columns, [range(3 * len(triangles))], image, {**painted, **more}))
+        report = result(path("painted.glb"), path("atlas.obj"), "-o", path("baked.obj"), "--bake", path("baked.png"), "--size", "256")
+        assert report["warnings"] == [], report
+        check_image(path("baked.png"), 256, color, 3, 0.7)
+
+    # PLY files and the standard output
+    def textures(ply):
+        return [line for line in ply.split(b"end_header")[0].split(b"\n") if line.startswith(b"comment TextureFile")]
+
+    os.mkdir(path("results"))
+    result(source, path("atlas.obj"), "-o", path("results/atlas.ply"), "--bake", path("baked.png"), "--size", "64")
+    assert textures(read(path("results/atlas.ply"))) == [b"comment TextureFile ../baked.png"]
+
+    def in_folder(*arguments):
+        done = subprocess.run([program, "transfer", *arguments, "-o", "-"], capture_output=True, cwd=folder)
+        assert done.returncode == 0, done
+        return done.stdout
+
+    files = sorted(os.listdir(folder))
+    assert textures(in_folder("from.ply", "results/atlas.ply")) == [b"comment TextureFile baked.png"]
+    assert textures(in_folder("from.ply", "results/atlas.ply", "--bake", "normals.png", "--size", "64")) == [b"comment TextureFile normals.png"]
+    for name in ("painted.glb", "results/atlas.ply"):
+        assert b"mtllib" not in in_folder(name, "plain.obj")
+    assert sorted(os.listdir(folder)) == files, os.listdir(folder)
+    result(path("results/atlas.ply"), textured, "-o", path("results/again.obj"))
+    assert b"map_Kd ../baked.png" in read(path("results/again.mtl"))
+
+    # A baked image never replaces a texture.
+    for first, second, name in (("textured.obj", "atlas.obj", "paint.png"), ("from.ply", "textured.obj", "paint.png"),
+                                ("results/atlas.ply", "atlas.obj", "baked.png"), ("painted.glb", "atlas.obj", "paint.png")):
+        before = read(path(name))
+        done = run(path(first), path(second), "-o", path("x.obj"), "--bake", path(name))
+        assert done.returncode == WRONG_USAGE and "part of the input" in done.stderr, done
+        assert read(path(name)) == before and not os.path.exists(path("x.obj")), name
 
     # Overlapping charts, coordinates beyond the image, and files without them
     write(path("overlap.obj"), as_obj(other, other_triangles, [[unwrapped(other[v], charts[n] % 3) for v in t] for n, t in enumerate(other_triangles)]))
@@ -245,6 +305,9 @@ with tempfile.TemporaryDirectory() as folder:
     report = result(source, path("beyond.obj"), "-o", path("baked.obj"), "--bake", path("baked.png"), "--size", "64")
     assert any("between 0 and 1" in warning for warning in report["warnings"]), report
     done = run(source, path("plain.obj"), "-o", path("baked.obj"), "--bake", path("baked.png"))
+    assert done.returncode == WRONG_INPUT and "no texture coordinates" in done.stderr, done
+    write(path("line.obj"), as_obj(other, other_triangles, [[(0.5,)] * 3] * len(other_triangles)))
+    done = run(source, path("line.obj"), "-o", path("baked.obj"), "--bake", path("baked.png"))
     assert done.returncode == WRONG_INPUT and "no texture coordinates" in done.stderr, done
     done = run(path("plain.obj"), path("atlas.obj"), "-o", path("baked.obj"), "--bake", path("baked.png"))
     assert done.returncode == WRONG_INPUT and "no colors" in done.stderr, done

@@ -7,6 +7,7 @@
 #include "../Carry/Mix.h"
 #include "../Files/Model.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -22,27 +23,29 @@ public:
   Color_source(const Model& model, std::vector<std::string>& warnings);
 
   // Returns whether the model has any colors.
-  explicit operator bool() const { return m_colors != nullptr || has_materials(); }
+  explicit operator bool() const;
   // Returns the color at a point of a polygon, given as a mix of its corners.
   Color operator()(std::size_t polygon, const Mix& mix) const;
 
 private:
   struct Material
   {
-    std::string name;
     std::optional<Color> color;
-    std::optional<Image> texture;
+    std::size_t image = none;
+    std::array<int, 2> wrap = {};             // wrapping modes of glTF, horizontal and vertical
+    std::array<double, 3> tint = { 1, 1, 1 }; // factors of the light that the image reflects
   };
+  static constexpr std::size_t none = std::size_t(-1);
 
-  void read_materials(std::vector<std::string>& warnings);
-  std::optional<Image> texture(const std::string& name, std::vector<std::string>& warnings) const;
-  bool has_materials() const;
-  const Material& material_of(std::size_t polygon) const;
+  void read_materials(const Model& model, std::vector<std::string>& warnings);
+  Color color_of_image(const Material& material, const std::vector<double>& uv) const;
 
-  const Model* m_model;
   Mixer m_mixer;
-  const Attribute *m_texture = nullptr, *m_labels = nullptr, *m_colors = nullptr;
-  std::vector<Material> m_materials; // the first one is that of polygons without a material
+  std::optional<Attribute> m_coordinates; // texture coordinates
+  const Attribute* m_colors = nullptr;
+  std::vector<int> m_material_of; // by polygon; negative if it has none
+  std::vector<Material> m_materials;
+  std::vector<std::optional<Image> > m_images; // by image of the materials; only used images are read
 };
 
 } // namespace Tool

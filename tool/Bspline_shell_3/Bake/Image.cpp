@@ -9,8 +9,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace Tool {
+
+namespace {
+
+// Takes values from the library that reads images.
+std::optional<Image> image_of(unsigned char* values, int width, int height)
+{
+  if(values == nullptr) return std::nullopt;
+  Image image{ std::size_t(width), std::size_t(height) };
+  std::copy_n(values, image.values.size(), image.values.begin());
+  stbi_image_free(values);
+  return image;
+}
+
+} // namespace
 
 void Image::set(std::size_t texel, const Color& color)
 {
@@ -44,22 +59,26 @@ std::optional<Image> read_image(const std::string& file)
 {
   int width = 0, height = 0, channels = 0;
   unsigned char* const values = stbi_load(file.c_str(), &width, &height, &channels, 3);
-  if(values == nullptr) return std::nullopt;
-  Image image{ std::size_t(width), std::size_t(height) };
-  std::copy_n(values, image.values.size(), image.values.begin());
-  stbi_image_free(values);
-  return image;
+  return image_of(values, width, height);
 }
 
-std::string png_of(const Image& image)
+std::optional<Image> read_image(const std::vector<unsigned char>& contents)
+{
+  int width = 0, height = 0, channels = 0;
+  unsigned char* const values = stbi_load_from_memory(contents.data(), int(contents.size()), &width, &height, &channels,
+                                                      3);
+  return image_of(values, width, height);
+}
+
+std::optional<std::string> png_of(const Image& image)
 {
   std::string text;
   const auto append = [](void* context, void* data, int size) {
     static_cast<std::string*>(context)->append(static_cast<const char*>(data), std::size_t(size));
   };
-  stbi_write_png_to_func(append, &text, int(image.width), int(image.height), 3, image.values.data(),
-                         int(3 * image.width));
-  return text;
+  const int is_complete = stbi_write_png_to_func(append, &text, int(image.width), int(image.height), 3,
+                                                 image.values.data(), int(3 * image.width));
+  return is_complete != 0 ? std::make_optional(std::move(text)) : std::nullopt;
 }
 
 } // namespace Tool

@@ -32,9 +32,11 @@ struct Image
 
 // Reads a PNG or JPEG file, or another format of stb_image.
 std::optional<Image> read_image(const std::string& file);
+// Reads the contents of such a file.
+std::optional<Image> read_image(const std::vector<unsigned char>& contents);
 
-// Returns the contents of a PNG file.
-std::string png_of(const Image& image);
+// Returns the contents of a PNG file, or nothing if the memory does not suffice.
+std::optional<std::string> png_of(const Image& image);
 
 } // namespace Tool
 

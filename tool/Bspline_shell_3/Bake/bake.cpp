@@ -10,69 +10,110 @@ namespace Tool {
 namespace {
 
 // Fills texels beside covered ones with the mean of their covered neighbors, in several rounds.
-void add_margin(Image& image, std::vector<char>& is_covered, std::size_t margin)
+class Margin
 {
-  const std::ptrdiff_t width = std::ptrdiff_t(image.width), height = std::ptrdiff_t(image.height);
-  for(std::size_t round = 0; round < margin; ++round) {
-    std::vector<std::pair<std::size_t, Color> > filled;
-    for(std::ptrdiff_t y = 0; y < height; ++y)
-      for(std::ptrdiff_t x = 0; x < width; ++x) {
-        if(is_covered[std::size_t(y * width + x)]) continue;
-        Color sum = {};
-        int number = 0;
-        for(std::ptrdiff_t v = (std::max)(y - 1, std::ptrdiff_t(0)); v < (std::min)(y + 2, height); ++v)
-          for(std::ptrdiff_t u = (std::max)(x - 1, std::ptrdiff_t(0)); u < (std::min)(x + 2, width); ++u) {
-            const std::size_t neighbor = std::size_t(v * width + u);
-            if(!is_covered[neighbor]) continue;
-            const Color color = image.at(neighbor);
-            for(std::size_t i = 0; i < 3; ++i) sum[i] += color[i];
-            ++number;
-          }
-        if(number == 0) continue;
-        for(double& c : sum) c /= number;
-        filled.emplace_back(std::size_t(y * width + x), sum);
-      }
-    for(const auto& texel : filled) {
-      image.set(texel.first, texel.second);
-      is_covered[texel.first] = 1;
+public:
+  Margin(const Texel_map& texels) : m_size(texels.size()), m_state(m_size * m_size, EMPTY)
+  {
+    for(std::size_t n = 0; n < m_state.size(); ++n)
+      if(texels.facet(n) != Mesh::null_face()) m_state[n] = COVERED;
+    for(std::size_t n = 0; n < m_state.size(); ++n)
+      if(m_state[n] == COVERED) list_neighbors(n);
+  }
+
+  void add_to(std::vector<Image>& images, std::size_t rounds)
+  {
+    for(std::size_t round = 0; round < rounds && !m_listed.empty(); ++round) {
+      const std::vector<std::size_t> listed = std::move(m_listed);
+      m_listed.clear();
+      for(std::size_t n : listed)
+        for(Image& image : images) image.set(n, mean(image, n));
+      for(std::size_t n : listed) m_state[n] = COVERED;
+      for(std::size_t n : listed) list_neighbors(n);
     }
   }
-}
+
+private:
+  enum State : char
+  {
+    EMPTY,
+    LISTED, // filled in the next round
+    COVERED
+  };
+
+  template <typename Visit>
+  void visit_neighbors(std::size_t texel, const Visit& visit) const
+  {
+    const std::size_t x = texel % m_size, y = texel / m_size;
+    for(std::size_t v = y > 0 ? y - 1 : 0; v < (std::min)(y + 2, m_size); ++v)
+      for(std::size_t u = x > 0 ? x - 1 : 0; u < (std::min)(x + 2, m_size); ++u) visit(v * m_size + u);
+  }
+
+  void list_neighbors(std::size_t texel)
+  {
+    visit_neighbors(texel, [&](std::size_t n) {
+      if(m_state[n] != EMPTY) return;
+      m_state[n] = LISTED;
+      m_listed.push_back(n);
+    });
+  }
+
+  Color mean(const Image& image, std::size_t texel) const
+  {
+    Color sum = {};
+    int number = 0;
+    visit_neighbors(texel, [&](std::size_t n) {
+      if(m_state[n] != COVERED) return;
+      const Color color = image.at(n);
+      for(std::size_t i = 0; i < 3; ++i) sum[i] += color[i];
+      ++number;
+    });
+    for(double& c : sum) c /= number;
+    return sum;
+  }
+
+  std::size_t m_size;
+  std::vector<State> m_state; // by texel
+  std::vector<std::size_t> m_listed;
+};
 
 } // namespace
 
-Image bake(const Model_map& map, const std::vector<Texel>& texels, std::size_t size, std::size_t margin,
-           const std::function<Color(const Source_point&)>& color, const std::function<void(double)>& progress)
+std::vector<Image> bake(const Model_map& map, const Texel_map& texels, std::size_t margin,
+                        const std::vector<Color_of_point>& colors, const std::function<void(double)>& progress)
 {
   constexpr std::size_t block = 1 << 16; // texels that are mapped at once, to bound the memory
-  Image image(size, size);
-  std::vector<char> is_covered(size * size, 0);
+  const std::size_t size = texels.size(), number = size * size;
+  std::vector<Image> images(colors.size(), Image(size, size));
   map.visit([&](const auto& m) {
     const auto inverse = m.inverse();
     const Corner_places places(m);
-    for(std::size_t first = 0; first < texels.size(); first += block) {
-      progress(double(first) / double(texels.size()));
-      const std::size_t last = (std::min)(first + block, texels.size());
+    for(std::size_t next = 0; next < number;) {
+      progress(double(next) / double(number));
+      std::vector<std::size_t> covered;
       std::vector<std::pair<Mesh::Face_index, std::array<double, 3> > > locations;
-      for(std::size_t n = first; n < last; ++n) locations.emplace_back(texels[n].facet, texels[n].weights);
-      const auto images = inverse.project(locations);
-      for(std::size_t n = first; n < last; ++n) {
+      for(; next < number && covered.size() < block; ++next) {
+        if(texels.facet(next) == Mesh::null_face()) continue;
+        covered.push_back(next);
+        locations.emplace_back(texels.facet(next), texels.weights(next));
+      }
+      const auto found = inverse.project(locations);
+      for(std::size_t n = 0; n < covered.size(); ++n) {
         Source_point point;
-        if(const auto& found = images[n - first]) {
-          const auto h = m.source().halfedge(found.location.first); // leads to the second corner
-          point = { found.location.first, { m.source().prev(h), h, m.source().next(h) }, found.location.second };
+        if(found[n]) {
+          const auto& [facet, weights] = found[n].location;
+          point = { facet, corners_of(m.source(), facet), weights };
         } else {
-          const auto p = inverse.point(locations[n - first]);
+          const auto p = inverse.point(locations[n]);
           const Place place = places.nearest({ p[0], p[1], p[2] });
           point = { m.source().face(place.corner[0]), place.corner, place.weight };
         }
-        image.set(texels[n].position, color(point));
-        is_covered[texels[n].position] = 1;
+        for(std::size_t i = 0; i < colors.size(); ++i) images[i].set(covered[n], colors[i](point));
       }
     }
   });
-  add_margin(image, is_covered, margin);
-  return image;
+  if(margin > 0) Margin(texels).add_to(images, margin);
+  return images;
 }
 
 } // namespace Tool

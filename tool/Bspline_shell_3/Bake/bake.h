@@ -1,4 +1,4 @@
-// Bakes colors and normals of a model into an image over the texture coordinates of a mesh.
+// Bakes colors and normals of a model into images over the texture coordinates of a mesh.
 #ifndef TOOL_BAKE_BAKE_H
 #define TOOL_BAKE_BAKE_H
 
@@ -22,14 +22,14 @@ struct Source_point
   std::array<double, 3> weights;
 };
 
-// Returns an image with a color at the center of each texel. Texels close to covered ones get the mean of their
-// neighbors, so that colors at seams are not mixed with the background.
-// \param size number of texels along each side
+typedef std::function<Color(const Source_point&)> Color_of_point;
+
+// Returns an image for each function, with its color at the center of each texel. Texels close to covered ones get the
+// mean of their neighbors, so that colors at seams are not mixed with the background.
 // \param margin number of texels that are filled around the covered ones
-// \param color returns the color of a point
 // \param progress called with the fraction of the work that is done
-Image bake(const Model_map& map, const std::vector<Texel>& texels, std::size_t size, std::size_t margin,
-           const std::function<Color(const Source_point&)>& color, const std::function<void(double)>& progress);
+std::vector<Image> bake(const Model_map& map, const Texel_map& texels, std::size_t margin,
+                        const std::vector<Color_of_point>& colors, const std::function<void(double)>& progress);
 
 } // namespace Tool
 

@@ -92,9 +92,7 @@ public:
   {
     const auto& source = m_map.to_source().target();
     const auto closest = source.closest({ p.x(), p.y(), p.z() });
-    const Mesh& mesh = m_map.source();
-    const auto h = mesh.halfedge(source.face_of(closest.first)); // leads to the second corner
-    return { { mesh.prev(h), h, mesh.next(h) }, closest.second };
+    return { corners_of(m_map.source(), source.face_of(closest.first)), closest.second };
   }
 
 private:

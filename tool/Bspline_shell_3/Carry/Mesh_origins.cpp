@@ -1,7 +1,7 @@
 #include "Mesh_origins.h"
 #include "closest_weights.h"
 
-#include <CGAL/Bspline_shell_3/Mesh/triangulate_polygon.h>
+#include "../Files/triangles_of.h"
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -42,11 +42,9 @@ public:
   {
     const auto& points = model.soup.points;
     for(std::size_t n = 0; n < model.soup.polygons.size(); ++n) {
-      std::vector<Point> polygon;
-      for(std::size_t v : model.soup.polygons[n]) polygon.push_back(points[v]);
-      if(polygon.size() < 3) continue;
-      for(const auto& t : BS::triangulate_polygon(polygon)) {
-        const Kernel::Triangle_3 triangle(polygon[t[0]], polygon[t[1]], polygon[t[2]]);
+      const auto& polygon = model.soup.polygons[n];
+      for(const auto& t : triangles_of(model, n)) {
+        const Kernel::Triangle_3 triangle(points[polygon[t[0]]], points[polygon[t[1]]], points[polygon[t[2]]]);
         if(triangle.is_degenerate()) continue;
         m_list.push_back(triangle);
         m_triangles.push_back({ n, { first[n] + t[0], first[n] + t[1], first[n] + t[2] } });

@@ -8,6 +8,7 @@
 
 #include <CGAL/Bspline_shell_3/Soup/Soup_proxy_3.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -15,6 +16,13 @@ namespace Tool {
 
 typedef BS::Soup_proxy_3::Mesh Mesh;
 typedef BS::Soup_proxy_3::Shell Shell;
+
+// Returns halfedges to the corners of a facet, in the order of barycentric coordinates.
+inline std::array<Mesh::Halfedge_index, 3> corners_of(const Mesh& mesh, Mesh::Face_index f)
+{
+  const auto h = mesh.halfedge(f); // leads to the second corner
+  return { mesh.prev(h), h, mesh.next(h) };
+}
 
 // A facet belongs to a polygon that has its three corners. If there is none, because points were welded, polygons
 // united, or degenerate facets removed, it belongs to the nearest polygon.

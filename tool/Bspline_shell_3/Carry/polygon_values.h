@@ -3,6 +3,7 @@
 #define TOOL_CARRY_POLYGON_VALUES_H
 
 #include "Mesh_origins.h"
+#include "Numbered_values.h"
 
 #include "../Files/Model.h"
 
@@ -13,9 +14,7 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <map>
 #include <vector>
 
 namespace Tool {
@@ -32,23 +31,14 @@ std::vector<double> polygon_values(const Map& map, const Mesh_origins& origins, 
   };
   std::vector<Value> values(map.target().num_faces());
   if(a.kind == Kind::LABEL || a.kind == Kind::COLOR) {
-    // Values may be NaN, which is not equal to itself: their numbers are transferred.
-    std::map<Value, std::size_t> number;
-    std::vector<Value> value;
+    Numbered_values number;
     std::vector<std::size_t> numbers(map.source().num_faces());
-    for(auto f : map.source().faces()) {
-      Value key = value_of(f);
-      for(double& x : key)
-        if(std::isnan(x)) x = -1;
-      const auto found = number.emplace(key, value.size());
-      if(found.second) value.push_back(value_of(f));
-      numbers[f] = found.first->second;
-    }
+    for(auto f : map.source().faces()) numbers[f] = number(value_of(f));
     std::vector<std::size_t> transferred(map.target().num_faces(), 0);
     const auto report = BS::transfer_face_labels(
       map, boost::make_iterator_property_map(numbers.begin(), get(boost::face_index, map.source())),
       boost::make_iterator_property_map(transferred.begin(), get(boost::face_index, map.target())));
-    for(std::size_t n = 0; n < values.size(); ++n) values[n] = value[transferred[n]];
+    for(std::size_t n = 0; n < values.size(); ++n) values[n] = number[transferred[n]];
     for(const auto& failure : report.failures) {
       const auto& target = map.target();
       const auto h = target.halfedge(Mesh::Face_index(Mesh::size_type(failure.first)));

@@ -1,14 +1,18 @@
 #include "transfer_attributes.h"
+#include "Numbered_values.h"
 #include "corner_mixes.h"
 #include "finished_value.h"
 #include "polygon_values.h"
-#include "texture_comments.h"
+
+#include "../Files/texture_comments.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace Tool {
@@ -27,10 +31,11 @@ std::vector<double> values_of_polygons(const Attribute& a, const std::vector<dou
                                        const std::function<std::vector<double>(std::size_t)>& otherwise)
 {
   typedef std::vector<double> Value;
-  std::vector<std::map<Value, double> > areas(polygons);
+  Numbered_values number;
+  std::vector<std::map<std::size_t, double> > areas(polygons); // by number of the value
   for(auto f : mesh.mesh().faces()) {
     const auto first = of_facets.begin() + std::ptrdiff_t(std::size_t(f) * a.dimension());
-    areas[mesh.polygon_of(f)][Value(first, first + std::ptrdiff_t(a.dimension()))] +=
+    areas[mesh.polygon_of(f)][number(Value(first, first + std::ptrdiff_t(a.dimension())))] +=
       CGAL::Polygon_mesh_processing::face_area(f, mesh.mesh());
   }
   const bool is_label = a.kind == Kind::LABEL || a.kind == Kind::COLOR;
@@ -39,17 +44,24 @@ std::vector<double> values_of_polygons(const Attribute& a, const std::vector<dou
     if(areas[n].size() < 2 || is_label) {
       const auto largest = std::max_element(areas[n].begin(), areas[n].end(),
                                             [](const auto& p, const auto& q) { return p.second < q.second; });
-      append(values, a, largest == areas[n].end() ? otherwise(n) : largest->first);
+      append(values, a, largest == areas[n].end() ? otherwise(n) : number[largest->first]);
       continue;
     }
     double area = 0;
     for(const auto& part : areas[n]) area += part.second;
     Value mean(a.dimension(), 0);
     for(const auto& part : areas[n])
-      for(std::size_t i = 0; i < mean.size(); ++i) mean[i] += part.second / area * part.first[i];
+      for(std::size_t i = 0; i < mean.size(); ++i) mean[i] += part.second / area * number[part.first][i];
     append(values, a, mean);
   }
   return values;
+}
+
+bool is_left_out(const Attribute& a, const Transfer_choice& choice)
+{
+  const bool is_of_textures = is_texture(a) || a.name == material_name || a.name == texture_number_name;
+  return a.name == mapped_name || (a.kind == Kind::NORMAL && !choice.includes_normals)
+         || (is_of_textures && !choice.includes_textures);
 }
 
 } // namespace
@@ -60,13 +72,16 @@ Model transfer_attributes(const Model& from, const Model& to, const Triangulated
 {
   Model result = to;
   const Mixer mixer(from);
-  const auto add = [&](Attribute a) {
-    const auto has_name = [&](const Attribute& other) { return other.name == a.name; };
-    const auto removed = std::remove_if(result.attributes.begin(), result.attributes.end(), has_name);
-    if(removed != result.attributes.end()) report.replaced.push_back(a.name);
-    result.attributes.erase(removed, result.attributes.end());
-    result.attributes.push_back(std::move(a));
-  };
+  std::set<std::string> names = { mapped_name };
+  for(const Attribute& a : from.attributes)
+    if(!is_left_out(a, choice)) names.insert(a.name);
+  std::set<std::string> replaced;
+  const auto is_replaced = [&](const Attribute& a) { return names.count(a.name) != 0; };
+  for(const Attribute& a : to.attributes)
+    if(is_replaced(a) && a.name != mapped_name) replaced.insert(a.name);
+  report.replaced.assign(replaced.begin(), replaced.end());
+  auto& attributes = result.attributes;
+  attributes.erase(std::remove_if(attributes.begin(), attributes.end(), is_replaced), attributes.end());
 
   map.visit([&](const auto& m) {
     const Corner_mixes mixes = corner_mixes(m, from, map.origins(), progress);
@@ -82,19 +97,17 @@ Model transfer_attributes(const Model& from, const Model& to, const Triangulated
         of_points.push_back(mix_of(place.corner, place.weight, map.origins()));
       }
     }
-    const auto is_left_out = [&](const Attribute& a) {
-      const bool is_of_textures = a.name == texture_name || a.name == material_name;
-      return (a.kind == Kind::NORMAL && !choice.includes_normals) || (is_of_textures && !choice.includes_textures);
-    };
     for(const Attribute& a : from.attributes) {
-      if(is_left_out(a)) continue;
+      if(is_left_out(a, choice)) continue;
       report.transferred.push_back(a.name);
       Attribute copy = a;
       copy.values.clear();
       const bool has_seams = std::find(mixes.with_seams.begin(), mixes.with_seams.end(), &a) != mixes.with_seams.end();
       if(a.element == Element::POLYGON) {
         const auto nearest = [&](std::size_t polygon) {
-          const Place place = places.nearest(to.soup.points[to.soup.polygons[polygon].at(0)]);
+          const auto& corners = to.soup.polygons[polygon];
+          if(corners.empty()) return std::vector<double>(a.dimension(), std::numeric_limits<double>::quiet_NaN());
+          const Place place = places.nearest(to.soup.points[corners[0]]);
           const double* const v = a[map.origins().polygon_of(m.source().face(place.corner[0]))];
           return std::vector<double>(v, v + a.dimension());
         };
@@ -110,16 +123,17 @@ Model transfer_attributes(const Model& from, const Model& to, const Triangulated
           }
       } else
         for(const Mix& mix : of_points) append(copy.values, a, mixer(a, mix));
-      add(std::move(copy));
+      attributes.push_back(std::move(copy));
     }
   });
-  if(choice.includes_textures && from.find(material_name, Element::POLYGON) != nullptr) {
+  const std::vector<std::string> textures = textures_in_comments(from, from.folder);
+  const bool has_materials = from.find(material_name, Element::POLYGON) != nullptr || !textures.empty();
+  if(choice.includes_textures && has_materials) {
     result.materials = from.materials;
     result.assets = from.assets;
+    set_textures_in_comments(result, textures.empty() ? textures_in_comments(result, from.folder) : textures);
     result.folder = from.folder;
   }
-  const std::vector<std::string> textures = texture_comments(from);
-  if(choice.includes_textures && !textures.empty()) set_texture_comments(result, textures);
   progress(1);
   if(parts.is_one_to_one()) return result;
   Attribute mapped{ mapped_name, Element::POINT, Kind::LABEL, Number_type::UINT8, { mapped_name }, {}, {} };
@@ -127,7 +141,7 @@ Model transfer_attributes(const Model& from, const Model& to, const Triangulated
     const auto v = mesh.vertex_at(n);
     mapped.values.push_back(double(v == Mesh::null_vertex() ? Mapped::NEAREST : parts.of_vertices[v]));
   }
-  add(std::move(mapped));
+  attributes.push_back(std::move(mapped));
   return result;
 }
 

@@ -31,7 +31,7 @@ constexpr const char* mapped_name = "mapped";
 
 // Returns the model `to` with the attributes of the model `from`. Attributes of `to` with the same names are replaced.
 // Points and polygons are not changed, nor are other attributes. Unless the whole map is proved to be one-to-one, the
-// attribute `mapped_name` of points has values of `Mapped`.
+// attribute `mapped_name` of points has values of `Mapped`; the attributes of both models with this name are left out.
 // \param mesh the triangles of `to`
 // \param map the map from the mesh to the polygons of `from`
 // \param progress called with the fraction of the work that is done

@@ -1,14 +1,11 @@
 #include "GLTF_assets.h"
 #include "GLTF_accessor.h"
 #include "MTL.h"
-#include "Words.h"
-#include "name_beside.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstddef>
-#include <filesystem>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -61,15 +58,6 @@ bool is_of_meshes(const std::string& extension)
   return std::find(names.begin(), names.end(), extension) != names.end();
 }
 
-// Returns the image of the color of a material, or null if it has none.
-const tinygltf::Image* color_image(const tinygltf::Model& gltf, const tinygltf::Material& material)
-{
-  const int texture = material.pbrMetallicRoughness.baseColorTexture.index;
-  if(texture < 0 || std::size_t(texture) >= gltf.textures.size()) return nullptr;
-  const int source = gltf.textures[std::size_t(texture)].source;
-  return source < 0 || std::size_t(source) >= gltf.images.size() ? nullptr : &gltf.images[std::size_t(source)];
-}
-
 } // namespace
 
 tinygltf::Model assets_of(const tinygltf::Model& gltf)
@@ -106,93 +94,60 @@ std::vector<std::string> material_names(const tinygltf::Model& gltf)
   return names;
 }
 
+const tinygltf::Image* color_image(const tinygltf::Model& gltf, const tinygltf::Material& material)
+{
+  const int index = material.pbrMetallicRoughness.baseColorTexture.index;
+  if(index < 0 || std::size_t(index) >= gltf.textures.size()) return nullptr;
+  const tinygltf::Texture& texture = gltf.textures[std::size_t(index)];
+  int source = texture.source;
+  // Images in other formats belong to extensions such as EXT_texture_webp.
+  for(const auto& [name, extension] : texture.extensions)
+    if(source < 0 && extension.Has("source")) source = extension.Get("source").GetNumberAsInt();
+  return source < 0 || std::size_t(source) >= gltf.images.size() ? nullptr : &gltf.images[std::size_t(source)];
+}
+
+std::string file_of(const tinygltf::Image& image)
+{
+  return is_file(image.uri) ? decoded(image.uri) : "";
+}
+
+void add_material(tinygltf::Model& gltf, const std::string& name)
+{
+  gltf.materials.emplace_back();
+  gltf.materials.back().name = name;
+  gltf.materials.back().pbrMetallicRoughness.metallicFactor = 0;
+}
+
+tinygltf::Texture& set_color_image(tinygltf::Model& gltf, tinygltf::Material& material, const std::string& name)
+{
+  const auto is_same = [&](const tinygltf::Image& image) { return image.uri == encoded(name); };
+  const auto image = std::find_if(gltf.images.begin(), gltf.images.end(), is_same);
+  material.pbrMetallicRoughness.baseColorTexture.index = int(gltf.textures.size());
+  gltf.textures.emplace_back();
+  gltf.textures.back().source = int(image - gltf.images.begin());
+  if(image == gltf.images.end()) {
+    gltf.images.emplace_back();
+    gltf.images.back().uri = encoded(name);
+  }
+  return gltf.textures.back();
+}
+
 std::vector<std::string> external_files(const tinygltf::Model& gltf)
 {
   std::vector<std::string> names;
   for(const tinygltf::Buffer& buffer : gltf.buffers)
     if(is_file(buffer.uri)) names.push_back(decoded(buffer.uri));
   for(const tinygltf::Image& image : gltf.images)
-    if(is_file(image.uri)) names.push_back(decoded(image.uri));
+    if(!file_of(image).empty()) names.push_back(file_of(image));
   return names;
 }
 
 void move_images(tinygltf::Model& gltf, const std::string& from, const std::string& to)
 {
   for(tinygltf::Image& image : gltf.images) {
-    const std::string name = decoded(image.uri), moved = moved_name(name, from, to);
-    if(is_file(image.uri) && moved != name) image.uri = encoded(moved);
+    const std::string name = file_of(image), moved = name.empty() ? name : moved_name(name, from, to);
+    if(moved != name) image.uri = encoded(moved);
   }
-}
-
-tinygltf::Model assets_of_MTL(const std::string& materials)
-{
-  tinygltf::Model gltf;
-  gltf.asset.generator = "bspline_shell";
-  Lines lines(materials);
-  while(lines.next()) {
-    const std::string_view keyword = lines.words[0];
-    if(keyword == "newmtl") {
-      gltf.materials.emplace_back();
-      gltf.materials.back().name = lines.rest();
-      gltf.materials.back().pbrMetallicRoughness.metallicFactor = 0;
-    }
-    if(gltf.materials.empty()) continue;
-    tinygltf::Material& material = gltf.materials.back();
-    std::vector<double>& color = material.pbrMetallicRoughness.baseColorFactor;
-    double x = 0;
-    if(keyword == "Kd" && lines.words.size() > 3) {
-      for(std::size_t i = 0; i < 3; ++i)
-        if(read_number(lines.words[i + 1], x)) color[i] = x;
-    } else if((keyword == "d" || keyword == "Tr") && read_number(lines.words.back(), x)) {
-      color[3] = keyword == "d" ? x : 1 - x;
-      if(color[3] < 1) material.alphaMode = "BLEND";
-    } else if(keyword == "map_Kd") {
-      tinygltf::Image image;
-      image.uri = encoded(std::string(texture_of(lines)));
-      if(image.uri.empty()) continue;
-      material.pbrMetallicRoughness.baseColorTexture.index = int(gltf.textures.size());
-      gltf.textures.emplace_back();
-      gltf.textures.back().source = int(gltf.images.size());
-      gltf.images.push_back(std::move(image));
-    }
-  }
-  return gltf;
-}
-
-std::string MTL_of_assets(const tinygltf::Model& gltf, const std::string& folder, const std::string& file,
-                          Written_files& written)
-{
-  const std::filesystem::path path(file);
-  const std::vector<std::string> names = material_names(gltf);
-  std::vector<std::string> image_names(gltf.images.size());
-  std::string text;
-  for(std::size_t n = 0; n < names.size(); ++n) {
-    const tinygltf::Material& material = gltf.materials[n];
-    const std::vector<double>& color = material.pbrMetallicRoughness.baseColorFactor;
-    text += "newmtl " + names[n] + "\nKd";
-    for(std::size_t i = 0; i < 3; ++i) {
-      text += ' ';
-      append_number(text, color[i]);
-    }
-    if(color[3] < 1) {
-      text += "\nd ";
-      append_number(text, color[3]);
-    }
-    text += '\n';
-    const tinygltf::Image* const image = color_image(gltf, material);
-    if(image == nullptr) continue;
-    std::string& name = image_names[std::size_t(image - gltf.images.data())];
-    if(name.empty() && is_file(image->uri)) name = moved_name(decoded(image->uri), folder, path.parent_path().string());
-    else if(name.empty() && !image->image.empty()) {
-      const std::string ending = "_image" + std::to_string(image - gltf.images.data())
-                                 + (image->mimeType == "image/png" ? ".png" : ".jpg");
-      std::string bytes(image->image.begin(), image->image.end());
-      name = name_beside(path.parent_path() / (path.stem().string() + ".mtl"), ending, bytes);
-      written.files.emplace_back((path.parent_path() / name).string(), std::move(bytes));
-    }
-    if(!name.empty()) text += "map_Kd " + name + "\n";
-  }
-  return text;
 }
 
 } // namespace Tool

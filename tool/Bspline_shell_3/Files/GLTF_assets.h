@@ -2,8 +2,6 @@
 #ifndef TOOL_FILES_GLTF_ASSETS_H
 #define TOOL_FILES_GLTF_ASSETS_H
 
-#include "write_model.h"
-
 #include <string>
 #include <vector>
 
@@ -24,14 +22,21 @@ std::vector<std::string> external_files(const tinygltf::Model& gltf);
 // Changes names of images for another folder.
 void move_images(tinygltf::Model& gltf, const std::string& from, const std::string& to);
 
-// Returns materials with the colors, opacities, and color textures of a material library.
-tinygltf::Model assets_of_MTL(const std::string& materials);
+// Returns the image of the color of a material, or null if it has none.
+const tinygltf::Image* color_image(const tinygltf::Model& gltf, const tinygltf::Material& material);
 
-// Returns a material library with the colors, opacities, and color textures of materials.
-// \param folder folder to which images are relative
-// \param file the OBJ file; images that are not in files are written beside it
-std::string MTL_of_assets(const tinygltf::Model& gltf, const std::string& folder, const std::string& file,
-                          Written_files& written);
+// Appends a material that is not metallic.
+void add_material(tinygltf::Model& gltf, const std::string& name);
+
+// Makes a file the image of the color of a material, and returns its texture. Materials with the same file have the
+// same image.
+tinygltf::Texture& set_color_image(tinygltf::Model& gltf, tinygltf::Material& material, const std::string& name);
+
+// Returns the name of the file of an image, which is empty if the image is in the glTF file.
+std::string file_of(const tinygltf::Image& image);
+
+// extension for coordinates of textures
+constexpr const char* texture_transform = "KHR_texture_transform";
 
 } // namespace Tool
 

@@ -63,6 +63,12 @@ struct Attribute
   std::size_t dimension() const { return components.size(); }
   const double* operator[](std::size_t element) const { return values.data() + element * dimension(); }
   double* operator[](std::size_t element) { return values.data() + element * dimension(); }
+  // Returns the label of an element as text.
+  std::string text(std::size_t element) const
+  {
+    const double label = (*this)[element][0];
+    return label >= 0 && label < double(names.size()) ? names[std::size_t(label)] : std::to_string(long(label));
+  }
 };
 
 struct Model
@@ -77,7 +83,7 @@ struct Model
   // materials, textures, and images of a glTF file; null for other formats
   std::shared_ptr<const tinygltf::Model> assets;
   std::string folder;             // folder of the file; texture files are relative to it
-  std::vector<std::string> files; // the file and its material libraries
+  std::vector<std::string> files; // the file, its material libraries, textures, and buffers
   std::string format;             // extension of the file, without its dot
   std::string encoding;           // name of the encoding; empty if the format has only one
   Number_type coordinates = Number_type::FLOAT64;
@@ -112,6 +118,23 @@ constexpr const char* stream_name = "-";
 constexpr const char *color_name = "color", *normal_name = "normal", *texture_name = "texture",
                      *material_name = "material", *group_name = "group", *object_name = "object",
                      *smoothing_name = "smoothing_group", *solid_name = "solid", *facet_attribute_name = "attribute";
+
+// Returns whether an attribute has texture coordinates. Further sets of them are named `texture_1`, `texture_2`, ...
+inline bool is_texture(const Attribute& a)
+{
+  const std::string name = texture_name, prefix = name + "_";
+  return a.kind == Kind::REAL && a.element != Element::POLYGON && a.dimension() >= 2
+         && (a.name == name || a.name.compare(0, prefix.size(), prefix) == 0);
+}
+
+// Returns texture coordinates of corners, or otherwise of points, or null if there are none.
+inline const Attribute* texture_coordinates(const Model& model, const std::string& name = texture_name)
+{
+  const Attribute* found = nullptr;
+  for(const Attribute& a : model.attributes)
+    if(a.name == name && is_texture(a) && (found == nullptr || a.element == Element::CORNER)) found = &a;
+  return found;
+}
 
 } // namespace Tool
 

@@ -18,6 +18,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -107,10 +108,10 @@ bool is_translation(const Transform& t)
   return true;
 }
 
-class Reader
+class GLTF_reader
 {
 public:
-  Reader(const tinygltf::Model& gltf, Model& model, File_report& report)
+  GLTF_reader(const tinygltf::Model& gltf, Model& model, File_report& report)
     : m_gltf(gltf), m_model(model), m_report(report)
   {}
 
@@ -146,8 +147,9 @@ private:
       for(auto n = indices.rbegin(); n != indices.rend(); ++n) nodes.emplace_back(*n, parent);
     };
     const std::size_t scene = m_gltf.defaultScene >= 0 ? std::size_t(m_gltf.defaultScene) : 0;
-    if(scene >= m_gltf.scenes.size()) return fail("The file has no scene.");
-    add(m_gltf.scenes[scene].nodes, Transform(CGAL::IDENTITY));
+    if(scene < m_gltf.scenes.size()) add(m_gltf.scenes[scene].nodes, Transform(CGAL::IDENTITY));
+    else if(m_gltf.defaultScene < 0) add(roots(), Transform(CGAL::IDENTITY));
+    else return fail("The scene " + std::to_string(scene) + " does not exist.");
     std::set<int> visited;
     while(!nodes.empty()) {
       const auto [index, parent] = nodes.back();
@@ -165,14 +167,25 @@ private:
     return true;
   }
 
+  // Returns the nodes without parents, which are those of files without scenes.
+  std::vector<int> roots() const
+  {
+    std::set<int> children;
+    for(const tinygltf::Node& node : m_gltf.nodes) children.insert(node.children.begin(), node.children.end());
+    std::vector<int> found;
+    for(int n = 0; n < int(m_gltf.nodes.size()); ++n)
+      if(children.count(n) == 0) found.push_back(n);
+    return found;
+  }
+
   bool read_mesh(const tinygltf::Node& node, const Transform& transform)
   {
     if(std::size_t(node.mesh) >= m_gltf.meshes.size())
       return fail("The mesh " + std::to_string(node.mesh) + " does not exist.");
     const tinygltf::Mesh& mesh = m_gltf.meshes[std::size_t(node.mesh)];
     const std::string name = node.name.empty() ? mesh.name : node.name;
-    const std::size_t object = std::size_t(std::find(m_objects.begin(), m_objects.end(), name) - m_objects.begin());
-    if(object == m_objects.size()) m_objects.push_back(name);
+    const auto [object, is_new] = m_object_labels.emplace(name, m_objects.size());
+    if(is_new) m_objects.push_back(name);
     for(std::size_t n = 0; n < mesh.primitives.size(); ++n) {
       const tinygltf::Primitive& primitive = mesh.primitives[n];
       if(primitive.mode < TINYGLTF_MODE_TRIANGLES || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
@@ -180,10 +193,11 @@ private:
         continue;
       }
       Part part;
-      part.object = object;
+      part.object = object->second;
       // The place of a mesh with a skin follows from its joints, and not from its node.
       if(!read_primitive(primitive, node.skin >= 0 ? Transform(CGAL::IDENTITY) : transform, part))
-        return fail("The primitive " + std::to_string(n) + " of mesh " + std::to_string(node.mesh) + " is damaged.");
+        return fail("The primitive " + std::to_string(n) + " of mesh " + std::to_string(node.mesh)
+                    + (m_report ? " is damaged." : " is not finite."));
       m_parts.push_back(std::move(part));
     }
     return true;
@@ -192,7 +206,7 @@ private:
   bool read_primitive(const tinygltf::Primitive& primitive, const Transform& transform, Part& part)
   {
     if(!primitive.targets.empty()) m_left_out.insert("Morph targets");
-    part.material = std::size_t(primitive.material + 1);
+    if(primitive.material >= 0) part.material = std::size_t(primitive.material) + 1;
     if(part.material > m_gltf.materials.size()) return false;
     for(const auto& [semantic, accessor] : primitive.attributes) {
       const bool is_position = semantic == "POSITION";
@@ -213,6 +227,10 @@ private:
       double* const x = &positions.values[3 * n];
       const auto p = transform.transform(Kernel::Point_3(x[0], x[1], x[2]));
       for(int i = 0; i < 3; ++i) x[i] = p[i];
+      if(!std::all_of(x, x + 3, [](double coordinate) { return std::isfinite(coordinate); })) {
+        m_report.status = File_status::NOT_FINITE;
+        return false;
+      }
     }
     for(auto& [semantic, values] : part.values) {
       if(values.size() != size || (semantic == "NORMAL" && values.dimension != 3)) return false;
@@ -354,6 +372,9 @@ private:
     if(!m_gltf.animations.empty()) m_left_out.insert("Animations");
     if(!m_gltf.cameras.empty()) m_left_out.insert("Cameras");
     if(!m_gltf.lights.empty()) m_left_out.insert("Lights");
+    const auto& used = m_gltf.extensionsUsed;
+    if(std::find(used.begin(), used.end(), "EXT_mesh_gpu_instancing") != used.end())
+      m_left_out.insert("Instances of meshes (EXT_mesh_gpu_instancing)");
     if(m_gltf.scenes.size() > 1) m_left_out.insert("Scenes that are not the default one");
     for(const std::string& item : m_left_out) m_report.warnings.push_back(item + " are left out.");
   }
@@ -363,6 +384,7 @@ private:
   File_report& m_report;
   std::vector<Part> m_parts;
   std::vector<std::string> m_objects = { "" }, m_materials = { "" }; // texts by label
+  std::map<std::string, std::size_t> m_object_labels = { { "", 0 } };
   std::set<std::string> m_left_out;
 };
 
@@ -419,9 +441,12 @@ File_report read_GLTF(std::string_view text, Model& model)
   }
   for(const std::string& name : external_files(gltf)) {
     model.files.push_back((std::filesystem::path(model.folder) / name).string());
-    if(!std::filesystem::exists(model.files.back())) report.warnings.push_back("The file " + name + " does not exist.");
+    std::error_code error;
+    if(!std::filesystem::exists(model.files.back(), error))
+      report.warnings.push_back("The file " + name + " does not exist.");
   }
-  if(!is_parsed || !Reader(gltf, model, report).read()) report.status = File_status::MALFORMED;
+  const bool is_read = is_parsed && GLTF_reader(gltf, model, report).read();
+  if(!is_read && report) report.status = File_status::MALFORMED;
   return report;
 }
 

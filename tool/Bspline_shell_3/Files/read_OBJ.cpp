@@ -1,3 +1,4 @@
+#include "MTL.h"
 #include "Words.h"
 #include "read_model.h"
 
@@ -64,10 +65,10 @@ bool read_index(std::string_view word, std::size_t size, std::size_t& index)
   return true;
 }
 
-class Reader
+class OBJ_reader
 {
 public:
-  Reader(Model& model, File_report& report) : m_model(model), m_report(report) {}
+  OBJ_reader(Model& model, File_report& report) : m_model(model), m_report(report) {}
 
   bool read(const Lines& lines)
   {
@@ -181,13 +182,17 @@ private:
   void read_library(const std::string& name)
   {
     std::string text;
-    const std::string file = (std::filesystem::path(m_model.folder) / name).string();
+    const std::filesystem::path folder(m_model.folder);
+    const std::string file = (folder / name).string();
     if(read_text(file, text) != File_status::SUCCESS) {
       m_report.warnings.push_back("The material library " + name + " cannot be read.");
       return;
     }
     m_model.materials += text + (text.back() == '\n' ? "" : "\n");
     m_model.files.push_back(file);
+    Lines lines(text);
+    while(lines.next())
+      if(!texture_of(lines).empty()) m_model.files.push_back((folder / texture_of(lines)).string());
   }
 
   Model& m_model;
@@ -206,7 +211,7 @@ File_report read_OBJ(std::string_view text, Model& model)
 {
   File_report report;
   Lines lines(text, '\\');
-  Reader reader(model, report);
+  OBJ_reader reader(model, report);
   while(lines.next()) {
     // A comment may follow the words of a line.
     if(lines.words[0].front() != '#') {

@@ -2,12 +2,14 @@
 #include "Words.h"
 #include "numbers.h"
 #include "read_model.h"
+#include "texture_comments.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <optional>
@@ -200,10 +202,11 @@ void read_labels(Model& model)
   model.comments = std::move(others);
 }
 
-class Reader
+class PLY_reader
 {
 public:
-  Reader(Numbers& numbers, Model& model, File_report& report) : m_numbers(numbers), m_model(model), m_report(report) {}
+  PLY_reader(Numbers& numbers, Model& model, File_report& report) : m_numbers(numbers), m_model(model), m_report(report)
+  {}
 
   bool read(const Section& section)
   {
@@ -296,7 +299,7 @@ File_report read_PLY(std::string_view text, Model& model)
     return report;
   }
   Numbers numbers(text, lines.position(), model.encoding);
-  Reader reader(numbers, model, report);
+  PLY_reader reader(numbers, model, report);
   for(const Section& section : sections)
     if(!reader.read(section)) {
       if(model.encoding == "ascii")
@@ -305,6 +308,8 @@ File_report read_PLY(std::string_view text, Model& model)
       return report;
     }
   read_labels(model);
+  for(const std::string& texture : textures_in_comments(model, model.folder))
+    model.files.push_back((std::filesystem::path(model.folder) / texture).string());
   report.status = File_status::SUCCESS;
   return report;
 }

@@ -1,8 +1,11 @@
 #include "GLTF_accessor.h"
 #include "GLTF_assets.h"
-#include "Words.h"
+#include "MTL_assets.h"
+#include "UTF8.h"
+#include "materials_of.h"
 #include "numbers.h"
 #include "read_model.h"
+#include "triangles_of.h"
 #include "write_model.h"
 
 #include <CGAL/Bbox_3.h>
@@ -64,17 +67,16 @@ public:
   bool add(const Attribute& a)
   {
     Column column{ &a, "", Number_type::FLOAT32, a.dimension() };
-    const bool is_texture = a.kind == Kind::REAL && a.name.compare(0, 7, texture_name) == 0 && a.dimension() >= 2;
     if(a.element == Element::POLYGON) return false;
     if(a.kind == Kind::NORMAL && a.dimension() == 3) column.semantic = "NORMAL";
-    else if(is_texture) {
+    else if(is_texture(a)) {
       column.semantic = "TEXCOORD_" + std::to_string(m_textures++);
       column.dimension = 2;
     } else if(a.kind == Kind::COLOR && (a.dimension() == 3 || a.dimension() == 4)) {
       column.semantic = "COLOR_" + std::to_string(m_colors++);
       if(a.type == Number_type::UINT8) column.type = a.type;
     } else {
-      column.semantic = "_" + a.name;
+      column.semantic = "_" + to_UTF8(a.name);
       std::replace(column.semantic.begin(), column.semantic.end(), ' ', '_');
       const std::optional<Number_type> type = is_real(a.type) ? Number_type::FLOAT32 : type_of_labels(a);
       if(!type || a.dimension() > 4) return false;
@@ -95,61 +97,66 @@ private:
 // Triangles that become a primitive: corners, three by three.
 typedef std::vector<std::size_t> Corners;
 
-// Returns the label of a polygon as text.
-std::string text_of(const Attribute* labels, std::size_t polygon)
-{
-  if(labels == nullptr) return "";
-  const double label = (*labels)[polygon][0];
-  return label >= 0 && label < double(labels->names.size()) ? labels->names[std::size_t(label)]
-                                                            : std::to_string(long(label));
-}
-
-class Writer
+class GLTF_writer
 {
 public:
-  Writer(const Model& model, Written_files& written) : m_model(model)
+  GLTF_writer(const Model& model, tinygltf::Model& gltf, Written_files& written) : m_model(model), m_gltf(gltf)
   {
     for(const auto& polygon : model.soup.polygons) m_point_of.insert(m_point_of.end(), polygon.begin(), polygon.end());
     for(const char* name : { object_name, group_name, solid_name })
       if(m_object == nullptr) m_object = model.find(name, Element::POLYGON);
-    m_material = model.find(material_name, Element::POLYGON);
-    for(const Attribute& a : model.attributes)
-      if(&a == m_object || &a == m_material || m_columns.add(a)) written.hold(a);
-      else written.leave_out(a, "a glTF file");
+    m_material = labels_of_materials(model, gltf);
+    // Sets of texture coordinates and colors are numbered: `texture` comes before `texture_1`.
+    std::vector<const Attribute*> sorted;
+    for(const Attribute& a : model.attributes) sorted.push_back(&a);
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Attribute* a, const Attribute* b) {
+      return std::make_pair(a->name.size(), a->name) < std::make_pair(b->name.size(), b->name);
+    });
+    for(const Attribute* a : sorted)
+      if(a == m_object || a == m_material || m_columns.add(*a)) written.hold(*a);
+      else written.leave_out(*a, "a glTF file");
     set_origin(written);
   }
 
   // Appends nodes, meshes, and their data to a file with materials.
-  void write(tinygltf::Model& gltf)
+  void write()
   {
-    std::map<std::string, int> materials;
-    const std::vector<std::string> names = material_names(gltf);
-    for(std::size_t n = 0; n < names.size(); ++n) materials.emplace(names[n], int(n));
-    materials.emplace("", -1);
+    const auto text_of = [](const Attribute* labels, std::size_t n) {
+      return labels != nullptr ? labels->text(n) : "";
+    };
+    const std::vector<int> known = materials_of_polygons(m_model, m_gltf);
+    std::map<std::string, int> others = { { "", -1 } };
 
     // Polygons with the same object, material, and attributes with values form a primitive.
     typedef std::tuple<std::string, int, std::vector<bool> > Key;
     std::map<Key, Corners> primitives;
     const std::vector<std::size_t> first = m_model.first_corners();
     for(std::size_t n = 0; n < m_model.soup.polygons.size(); ++n) {
-      const auto [material, is_new] = materials.emplace(text_of(m_material, n), int(gltf.materials.size()));
-      if(is_new) {
-        gltf.materials.emplace_back();
-        gltf.materials.back().name = material->first;
+      const std::vector<std::array<std::size_t, 3> > triangles = triangles_of(m_model, n);
+      if(triangles.empty()) continue;
+      int material = known[n];
+      if(material < 0) {
+        const auto [other, is_new] = others.emplace(text_of(m_material, n), int(m_gltf.materials.size()));
+        material = other->second;
+        if(is_new) {
+          m_gltf.materials.emplace_back();
+          m_gltf.materials.back().name = other->first;
+        }
       }
       std::vector<bool> has_values;
       for(const Column& column : m_columns.list) has_values.push_back(is_given(column, first[n], first[n + 1]));
-      Corners& corners = primitives[{ text_of(m_object, n), material->second, std::move(has_values) }];
-      for(std::size_t c = first[n] + 2; c < first[n + 1]; ++c) corners.insert(corners.end(), { first[n], c - 1, c });
+      Corners& corners = primitives[{ text_of(m_object, n), material, std::move(has_values) }];
+      for(const auto& t : triangles)
+        for(std::size_t i : t) corners.push_back(first[n] + i);
     }
-    gltf.scenes.emplace_back();
-    gltf.defaultScene = 0;
+    m_gltf.scenes.emplace_back();
+    m_gltf.defaultScene = 0;
     for(const auto& [key, corners] : primitives) {
       const auto& [object, material, has_values] = key;
-      if(gltf.nodes.empty() || gltf.nodes.back().name != object) add_node(gltf, object);
-      tinygltf::Primitive primitive = primitive_of(gltf, corners, has_values);
+      if(m_gltf.nodes.empty() || m_gltf.nodes.back().name != to_UTF8(object)) add_node(object);
+      tinygltf::Primitive primitive = primitive_of(corners, has_values);
       primitive.material = material;
-      gltf.meshes.back().primitives.push_back(std::move(primitive));
+      m_gltf.meshes.back().primitives.push_back(std::move(primitive));
     }
   }
 
@@ -175,20 +182,19 @@ private:
     return false;
   }
 
-  void add_node(tinygltf::Model& gltf, const std::string& name) const
+  void add_node(const std::string& name)
   {
     tinygltf::Node node;
-    node.name = name;
-    node.mesh = int(gltf.meshes.size());
+    node.name = to_UTF8(name);
+    node.mesh = int(m_gltf.meshes.size());
     if(m_origin != std::array<double, 3>()) node.translation.assign(m_origin.begin(), m_origin.end());
-    gltf.meshes.emplace_back();
-    gltf.scenes[0].nodes.push_back(int(gltf.nodes.size()));
-    gltf.nodes.push_back(std::move(node));
+    m_gltf.meshes.emplace_back();
+    m_gltf.scenes[0].nodes.push_back(int(m_gltf.nodes.size()));
+    m_gltf.nodes.push_back(std::move(node));
   }
 
   // Splits points where corners have several values.
-  tinygltf::Primitive primitive_of(tinygltf::Model& gltf, const Corners& corners,
-                                   const std::vector<bool>& has_values) const
+  tinygltf::Primitive primitive_of(const Corners& corners, const std::vector<bool>& has_values)
   {
     const std::vector<Column>& columns = m_columns.list;
     std::map<std::vector<double>, std::size_t> index; // vertex by the point and its values
@@ -219,10 +225,10 @@ private:
 
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
-    primitive.indices = append_accessor(gltf, indices, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
-    const int position = append_accessor(gltf, positions, TINYGLTF_TARGET_ARRAY_BUFFER);
+    primitive.indices = append_accessor(m_gltf, indices, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    const int position = append_accessor(m_gltf, positions, TINYGLTF_TARGET_ARRAY_BUFFER);
     primitive.attributes["POSITION"] = position;
-    std::vector<double>&low = gltf.accessors.back().minValues, &high = gltf.accessors.back().maxValues;
+    std::vector<double>&low = m_gltf.accessors.back().minValues, &high = m_gltf.accessors.back().maxValues;
     low.assign(3, std::numeric_limits<double>::infinity());
     high.assign(3, -std::numeric_limits<double>::infinity());
     for(std::size_t n = 0; n < positions.values.size(); ++n) {
@@ -231,11 +237,12 @@ private:
     }
     for(std::size_t k = 0; k < columns.size(); ++k)
       if(has_values[k])
-        primitive.attributes[columns[k].semantic] = append_accessor(gltf, values[k], TINYGLTF_TARGET_ARRAY_BUFFER);
+        primitive.attributes[columns[k].semantic] = append_accessor(m_gltf, values[k], TINYGLTF_TARGET_ARRAY_BUFFER);
     return primitive;
   }
 
   const Model& m_model;
+  tinygltf::Model& m_gltf;
   std::vector<std::size_t> m_point_of; // by corner
   const Attribute *m_object = nullptr, *m_material = nullptr;
   Columns m_columns;
@@ -246,14 +253,15 @@ private:
 
 void write_GLTF(const Model& model, const std::string& file, Written_files& written)
 {
-  tinygltf::Model gltf = model.assets != nullptr ? *model.assets : assets_of_MTL(model.materials);
-  if(!model.materials.empty())
+  tinygltf::Model gltf = *materials_of(model);
+  if(model.assets == nullptr && has_other_properties(model.materials))
     written.warnings.push_back("Of materials, a glTF file holds only names, colors (Kd), opacities (d), and color "
-                               "textures (map_Kd).");
+                               "textures (map_Kd, with -o, -s, and -clamp).");
   move_images(gltf, model.folder, std::filesystem::path(file).parent_path().string());
   for(tinygltf::Image& image : gltf.images)
     if(!image.image.empty()) image.bufferView = append_view(gltf, image.image);
-  Writer(model, written).write(gltf);
+  GLTF_writer(model, gltf, written).write();
+  for(tinygltf::Material& material : gltf.materials) material.name = to_UTF8(material.name);
   tinygltf::TinyGLTF serializer;
   serializer.SetImageWriter(nullptr, nullptr);
   std::ostringstream text(std::ios::binary);

@@ -1,6 +1,9 @@
 #include "GLTF_assets.h"
 #include "MTL.h"
+#include "MTL_assets.h"
 #include "Words.h"
+#include "color_coordinates.h"
+#include "materials_of.h"
 #include "name_beside.h"
 #include "numbers.h"
 #include "write_model.h"
@@ -11,7 +14,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,19 +60,23 @@ private:
 const std::array<std::pair<const char*, const char*>, 4> states = {
   { { object_name, "o" }, { group_name, "g" }, { material_name, "usemtl" }, { smoothing_name, "s" } }
 };
+constexpr std::size_t group_state = 1, material_state = 2;
 
 } // namespace
 
 void write_OBJ(const Model& model, const std::string& file, Written_files& written)
 {
+  const std::shared_ptr<const tinygltf::Model> gltf = materials_of(model);
+  const std::vector<int> material_of = materials_of_polygons(model, *gltf);
   const Attribute *colors = nullptr, *texture = nullptr, *normals = nullptr;
   std::array<const Attribute*, 4> labels = {};
   for(const Attribute& a : model.attributes) {
     const Attribute** place = nullptr;
     if(a.element == Element::POLYGON) {
       for(std::size_t s = 0; s < states.size(); ++s)
-        if(a.kind == Kind::LABEL && a.name == states[s].first) place = &labels[s];
-      if(a.kind == Kind::LABEL && a.name == solid_name) place = &labels[1];
+        if(s != material_state && a.kind == Kind::LABEL && a.name == states[s].first) place = &labels[s];
+      if(a.kind == Kind::LABEL && a.name == solid_name) place = &labels[group_state];
+      if(&a == labels_of_materials(model, *gltf)) place = &labels[material_state];
     } else if(a.kind == Kind::NORMAL) place = &normals;
     else if(a.name == texture_name && a.kind == Kind::REAL) place = &texture;
     else if(a.kind == Kind::COLOR && a.element == Element::POINT && a.dimension() >= 3) place = &colors;
@@ -79,15 +88,19 @@ void write_OBJ(const Model& model, const std::string& file, Written_files& writt
   if(colors != nullptr && colors->dimension() > 3)
     written.warnings.push_back("Opacities of points are left out: an OBJ file cannot hold them.");
 
+  std::optional<Attribute> placed; // texture coordinates for the images of the materials
+  if(model.assets != nullptr) placed = color_coordinates(model, *gltf, material_of);
+  if(placed) texture = &*placed;
+
   std::string text;
   for(const std::string& comment : model.comments)
     if(comment.front() == '#') text += comment + "\n";
   const std::filesystem::path path(file);
-  if(model.has_materials()) {
+  if(model.has_materials() || !gltf->materials.empty()) {
     const std::string usual = path.stem().string() + ".mtl";
-    std::string materials = model.assets != nullptr
-                              ? MTL_of_assets(*model.assets, model.folder, file, written)
-                              : moved_materials(model.materials, model.folder, path.parent_path().string());
+    const bool is_kept = model.assets == nullptr && !model.materials.empty();
+    std::string materials = is_kept ? moved_materials(model.materials, model.folder, path.parent_path().string())
+                                    : MTL_of_assets(*gltf, model.folder, file, written);
     if(model.assets != nullptr)
       written.warnings.push_back("Of materials, an OBJ file holds only names, colors, opacities, and color textures.");
     const std::string library = name_beside(file, ".mtl", materials);
@@ -115,11 +128,10 @@ void write_OBJ(const Model& model, const std::string& file, Written_files& writt
   std::vector<std::size_t> order(model.soup.polygons.size());
   std::iota(order.begin(), order.end(), 0);
   const auto label = [&](std::size_t s, std::size_t n) { return labels[s] != nullptr ? (*labels[s])[n][0] : 0; };
+  const std::vector<std::string> names = material_names(*gltf);
   const auto text_of = [&](std::size_t s, std::size_t n) {
-    if(labels[s] == nullptr) return std::string();
-    const auto& names = labels[s]->names;
-    const std::size_t at = std::size_t(label(s, n));
-    return at < names.size() ? names[at] : std::to_string(long(label(s, n)));
+    if(s == material_state && material_of[n] >= 0) return names[std::size_t(material_of[n])];
+    return labels[s] != nullptr ? labels[s]->text(n) : "";
   };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t n, std::size_t m) {
     for(std::size_t s = 0; s < states.size(); ++s)

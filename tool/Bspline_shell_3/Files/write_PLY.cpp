@@ -1,6 +1,7 @@
 #include "PLY_types.h"
 #include "Words.h"
 #include "numbers.h"
+#include "texture_comments.h"
 #include "write_model.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -93,8 +95,11 @@ void write_PLY(const Model& model, const std::string& file, Written_files& writt
   if(model.has_materials()) written.warnings.push_back("The material library is left out: a PLY file cannot hold it.");
 
   const auto properties = [&](const Attribute& a) { return is_of_format ? a.components : property_names(a); };
-  if(is_of_format)
-    for(const std::string& comment : model.comments) text += comment + "\n";
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  for(const std::string& comment : model.comments)
+    if(is_texture_comment(comment))
+      text += texture_comment + moved_name(comment.substr(texture_comment.size()), model.folder, folder) + "\n";
+    else if(is_of_format) text += comment + "\n";
   for(const Attribute& a : model.attributes)
     for(std::size_t n = 0; n < a.names.size(); ++n)
       text += std::string(PLY_label) + properties(a)[0] + " " + std::to_string(n)

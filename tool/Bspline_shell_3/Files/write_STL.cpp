@@ -1,5 +1,6 @@
 #include "Words.h"
 #include "numbers.h"
+#include "triangles_of.h"
 #include "write_model.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -83,7 +84,6 @@ void write_ascii(const Model& model, const Triangles& triangles, const Attribute
 
 void write_STL(const Model& model, const std::string& file, Written_files& written)
 {
-  // The format has only triangles. Polygons of more corners do not occur in results.
   Triangles triangles;
   Attribute label;
   const bool are_floats = std::all_of(model.soup.points.begin(), model.soup.points.end(), [](const auto& p) {
@@ -105,8 +105,8 @@ void write_STL(const Model& model, const std::string& file, Written_files& writt
                                "files can hold.");
   for(std::size_t n = 0; n < model.soup.polygons.size(); ++n) {
     const auto& polygon = model.soup.polygons[n];
-    for(std::size_t i = 2; i < polygon.size(); ++i) {
-      triangles.push_back({ polygon[0], polygon[i - 1], polygon[i] });
+    for(const auto& t : triangles_of(model, n)) {
+      triangles.push_back({ polygon[t[0]], polygon[t[1]], polygon[t[2]] });
       if(kept != nullptr) label.values.push_back((*kept)[n][0]);
     }
   }

@@ -1,5 +1,7 @@
 #include "write_model.h"
+#include "materials_of.h"
 #include "read_model.h"
+#include "texture_comments.h"
 
 namespace Tool {
 
@@ -39,8 +41,10 @@ Written_files write_model(const Model& model, const std::string& file)
   }
   const std::string name = stream_name + ("." + model.format);
   Model single = model;
-  if(model.format == "obj" && model.has_materials()) {
+  if(model.format == "obj" && !materials_of(model)->materials.empty()) {
     single.materials.clear();
+    single.assets.reset();
+    set_textures_in_comments(single, {});
     written.warnings.push_back("The material library is left out: the standard output is a single file.");
   }
   writer_of(name)(single, name, written);

@@ -18,7 +18,8 @@ constexpr const char* exit_codes = "Exit codes\n"
                                    "  1   the input cannot be used\n"
                                    "  2   wrong usage\n"
                                    "  3   an output file cannot be written\n"
-                                   "  4   the claims are not proved, or the tolerance is not kept\n";
+                                   "  4   the claims are not proved, or the tolerance is not kept; transfer: nothing "
+                                   "is one-to-one\n";
 
 } // namespace Tool
 

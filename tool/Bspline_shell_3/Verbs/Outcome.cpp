@@ -37,8 +37,8 @@ int report(const Outcome& outcome, bool writes_json)
     std::cout << json.text() << std::endl;
   } else {
     std::cerr << outcome.file << ": " << outcome.message << std::endl;
-    list_places("facets", outcome.offenders.facets);
-    list_places("vertices", outcome.offenders.vertices);
+    list_places("facets, counted from 0", outcome.offenders.facets);
+    list_places("vertices, counted from 0", outcome.offenders.vertices);
   }
   return outcome.code;
 }

@@ -16,6 +16,16 @@ Outcome check_output(const std::string& output, const std::vector<std::string>& 
   return DONE;
 }
 
+Outcome check_files(const std::vector<std::string>& outputs, const std::vector<const Model*>& inputs)
+{
+  for(const std::string& output : outputs)
+    for(const Model* model : inputs)
+      for(const std::string& input : model->files)
+        if(is_same_file(output, input))
+          return { WRONG_USAGE, output, "The result would replace a part of the input: choose another name." };
+  return DONE;
+}
+
 bool rounds_coordinates(const Model& input, const std::string& output)
 {
   return input.coordinates == Number_type::FLOAT32 || has_single_precision(output);
@@ -28,11 +38,9 @@ Outcome write_result(const Model& model, const std::string& output, const std::v
   const Written_files written = write_model(model, output);
   Contents files(written.files.begin(), written.files.end());
   files.insert(files.end(), other_files.begin(), other_files.end());
-  for(const auto& file : files)
-    for(const Model* other : inputs)
-      for(const std::string& input : other->files)
-        if(is_same_file(file.first, input))
-          return { WRONG_USAGE, file.first, "The result would replace a part of the input: choose another name." };
+  std::vector<std::string> names;
+  for(const auto& file : files) names.push_back(file.first);
+  if(const Outcome names_are_free = check_files(names, inputs); !names_are_free) return names_are_free;
   const std::string failed = write_files(files);
   if(!failed.empty()) return { CANNOT_WRITE, failed, message(File_status::CANNOT_WRITE) };
   attributes.insert(attributes.end(), written.attributes.begin(), written.attributes.end());

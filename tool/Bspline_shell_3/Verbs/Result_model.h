@@ -15,6 +15,9 @@ namespace Tool {
 // Returns whether a model can be written to a file with this name without replacing an input.
 Outcome check_output(const std::string& output, const std::vector<std::string>& inputs);
 
+// Returns whether files can be written without replacing those to which the inputs refer.
+Outcome check_files(const std::vector<std::string>& outputs, const std::vector<const Model*>& inputs);
+
 // Returns whether the file of the result has coordinates of single precision, if the result allows it.
 bool rounds_coordinates(const Model& input, const std::string& output);
 

@@ -94,10 +94,10 @@ std::unique_ptr<const Transfer_map> transfer_map(const Model& from, const Model&
     if(best && !(time.left() > 0)) break;
     auto result = std::make_unique<Transfer_map>(to);
     result->thickness = attempt;
-    result->failure = find_shell(from, options, attempt, (std::max)(time.left(), least_seconds), progress,
+    result->outcome = find_shell(from, options, attempt, (std::max)(time.left(), least_seconds), progress,
                                  result->found);
     progress.show("map", 0);
-    if(is_opposed(result->failure ? nearest_points(target.mesh(), result->found.mesh()) : nearest))
+    if(is_opposed(result->outcome ? nearest_points(target.mesh(), result->found.mesh()) : nearest))
       result->mesh.reverse();
     result->map = std::make_unique<const Model_map>(from, result->found, result->mesh.mesh());
     result->parts = mapped_parts(*result->map);

@@ -26,7 +26,7 @@ struct Transfer_map
   Transfer_map& operator=(const Transfer_map&) = delete;
 
   BS::Shell_of_soup_3 found;
-  Outcome failure; // the reason if there is no certified shell
+  Outcome outcome; // outcome of the search for a certified shell
   double thickness = 0;
   Triangulated_model mesh; // of the model that is mapped, with the orientation of the shell's mesh
   std::unique_ptr<const Model_map> map;

@@ -17,6 +17,8 @@ Outcome certify(const std::string& shell_file, const std::string& mesh_file, boo
 {
   Shell shell;
   const BS::Shell_file_status read = BS::read_shell(shell_file, shell);
+  if(read == BS::Shell_file_status::NOT_A_SHELL)
+    return { WRONG_INPUT, shell_file, "The file is not a shell: give the file PREFIX.shell of the command shell." };
   if(read != BS::Shell_file_status::SUCCESS) return { WRONG_INPUT, shell_file, message(read) };
   Mesh mesh;
   BS::Offending_simplices offenders;
@@ -48,8 +50,12 @@ Outcome certify(const std::string& shell_file, const std::string& mesh_file, boo
   } else if(certificate)
     std::cout << "The mesh is certified: no point is farther than " << certificate.displacement_bound()
               << " from its image on another certified mesh." << std::endl;
-  else
+  else {
+    std::cout
+      << "The mesh is not certified: correct it at the listed places, or build a shell with a larger --thickness."
+      << std::endl;
     for(const std::string& witness : witnesses) std::cerr << witness << "\n";
+  }
   return certificate ? DONE : NOT_CERTIFIED;
 }
 

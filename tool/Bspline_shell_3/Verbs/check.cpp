@@ -1,8 +1,11 @@
 #include "Input.h"
 #include "Json.h"
+#include "distance_bound.h"
+#include "number.h"
 #include "verbs.h"
 
 #include "../Carry/Mesh_origins.h"
+#include "../Carry/Triangulated_model.h"
 #include "../Files/read_model.h"
 
 #include <CGAL/Bspline_shell_3/Mesh/Input_mesh_3.h>
@@ -21,6 +24,7 @@
 #include <algorithm>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 #include <string>
@@ -39,6 +43,26 @@ const char* name(Element element)
     case Element::CORNER: return "corners";
   }
   return "";
+}
+
+// Returns an attribute with its components, or with its labels if these have texts.
+std::string describe(const Attribute& a)
+{
+  constexpr std::size_t most = 8;
+  std::vector<std::string> items;
+  for(const std::string& label : a.names)
+    if(!label.empty()) items.push_back("\"" + label + "\"");
+  if(items.empty() && a.dimension() > 1) items = a.components;
+  std::string text = a.name + " (" + name(a.element);
+  for(std::size_t n = 0; n < (std::min)(items.size(), most); ++n) text += (n == 0 ? ": " : ", ") + items[n];
+  if(items.size() > most) text += ", and " + std::to_string(items.size() - most) + " more";
+  return text + ")";
+}
+
+// Returns the first part of a message of the library, which ends with an advice after a colon.
+std::string without_advice(const std::string& message)
+{
+  return message.substr(0, message.find(':'));
 }
 
 // The thickness of walls and the width of gaps of a closed mesh, which are searched up to a limit.
@@ -79,13 +103,34 @@ Gaps measure_gaps(const BS::Input_mesh_3& input, double thickness)
   return gaps;
 }
 
+// Numbers of edges at which polygons do not form a closed surface.
+struct Defective_edges
+{
+  std::size_t with_one_polygon = 0, with_several_polygons = 0; // several: more than two
+};
+
+Defective_edges count_defective_edges(const BS::Polygon_soup& soup)
+{
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> number;
+  for(const auto& polygon : soup.polygons)
+    for(std::size_t i = 0; i < polygon.size(); ++i)
+      ++number[std::minmax({ polygon[i], polygon[(i + 1) % polygon.size()] })];
+  Defective_edges edges;
+  for(const auto& edge : number) {
+    edges.with_one_polygon += edge.second == 1;
+    edges.with_several_polygons += edge.second > 2;
+  }
+  return edges;
+}
+
 struct Findings
 {
   BS::Shell_status status = BS::Shell_status::NOT_BUILT; // status of the polygons as a mesh
   BS::Offending_simplices offenders;                     // polygons and points, or facets of the repaired mesh
   BS::Soup_repairs repairs;
   BS::Weld_report weld;
-  std::size_t components = 0, border_edges = 0, intersecting = 0;
+  std::size_t components = 0, border_edges = 0, intersecting = 0; // numbers for a mesh
+  Defective_edges edges;                                          // numbers for polygons that are not a mesh
   double excised_share = 0;
   Gaps gaps;
   std::string kind; // kind of the shell that can be expected
@@ -137,6 +182,7 @@ Findings examine(const Model& model, const Shell_options& options, double thickn
       found.gaps = measure_gaps(input, thickness);
   }
   if(has_defects) {
+    if(found.components == 0) found.edges = count_defective_edges(welded.soup);
     const BS::Excised_soup_3 excised = BS::choose_excision(BS::different_triangles(welded.soup));
     found.excised_share = excised ? excised.report().excised_area : 1;
     found.kind = 100 * found.excised_share <= options.excised_percentage ? "excised" : "proxy";
@@ -148,6 +194,18 @@ Findings examine(const Model& model, const Shell_options& options, double thickn
 const char* mesh_message(BS::Shell_status status)
 {
   return status == BS::Shell_status::SUCCESS ? "The polygons form a mesh." : message(status);
+}
+
+// Returns the place of the shell, as the end of a sentence.
+std::string message_of_kind(const std::string& kind)
+{
+  const std::string otherwise = " If this shell is not certified, a closed proxy is wrapped around the polygons.";
+  if(kind == "closed") return "around the whole mesh.";
+  if(kind == "virtually closed") return "around the whole open mesh; its borders are kept." + otherwise;
+  if(kind == "united") return "around the union of the parts that intersect.";
+  if(kind == "excised") return "around the mesh without its defects, which stay as they are." + otherwise;
+  return "around a closed proxy, which is wrapped around the polygons: there are too many defects. A larger --excise "
+         "keeps more of the polygons.";
 }
 
 void print(const Findings& found, double thickness)
@@ -166,7 +224,10 @@ void print(const Findings& found, double thickness)
   if(found.components > 0)
     std::cout << "mesh        " << found.components << (found.components == 1 ? " component, " : " components, ")
               << found.border_edges << " border edges, " << found.intersecting << " facets intersect others\n";
-  else std::cout << "mesh        " << with_options(mesh_message(found.status)) << "\n";
+  else
+    std::cout << "mesh        none. " << without_advice(mesh_message(found.status)) << ".\n"
+              << "edges       " << found.edges.with_one_polygon << " with one polygon, "
+              << found.edges.with_several_polygons << " with more than two\n";
   if(found.gaps.limit > 0) {
     const auto width = [&](const char* what, double x) {
       std::cout << what << (x < found.gaps.limit ? "narrowest " : "none narrower than ") << x << "\n";
@@ -176,27 +237,34 @@ void print(const Findings& found, double thickness)
     std::cout << "            narrower than the shell (" << thickness << ") on " << 100 * found.gaps.narrow_area
               << " % of the area\n";
   }
-  if(found.excised_share > 0)
-    std::cout << "excision    " << 100 * found.excised_share << " % of the area has to be excised\n";
-  std::cout << "shell       " << found.kind
-            << (found.kind == "excised" ? ", or proxy if the remaining triangles have no certified shell" : "")
-            << std::endl;
+  if(found.excised_share > 0) std::cout << "defects     on " << percent(found.excised_share) << " of the area\n";
+  std::cout << "shell       " << found.kind << ": " << message_of_kind(found.kind) << std::endl;
 }
 
 } // namespace
 
-Outcome check(const Shell_options& options, bool writes_json)
+Outcome check(const Check_options& options, bool writes_json)
 {
-  Model model;
+  Model model, other;
   if(const Outcome read = read_input(options.input, model); !read) return read;
+  if(!options.other.empty())
+    if(const Outcome read = read_input(options.other, other); !read) return read;
   const double unit = longest_side(model), thickness = thickness_of(options, unit);
   const std::string format = model.format + (model.encoding.empty() ? "" : ", ") + model.encoding;
   const std::size_t corners = model.first_corners().back();
   const Findings found = examine(model, options, thickness);
   if(found.kind.empty()) return { WRONG_INPUT, options.input, with_options(message(found.status)), found.offenders };
   std::vector<std::string> attributes;
-  for(const Attribute& a : model.attributes)
-    attributes.push_back(a.name + " (" + name(a.element) + ", " + std::to_string(a.dimension()) + ")");
+  for(const Attribute& a : model.attributes) attributes.push_back(describe(a));
+  Distance_bounds distances;
+  if(!options.other.empty()) {
+    constexpr double resolution = 1e-5; // relative to the longest side of the bounding box
+    const Triangulated_model first(model), second(other);
+    for(const auto& side : { std::make_pair(&options.input, &first), std::make_pair(&options.other, &second) })
+      if(side.second->mesh().number_of_faces() == 0) return { WRONG_INPUT, *side.first, "No polygon has an area." };
+    distances = distance_bounds(first.mesh(), second.mesh(), resolution * unit,
+                                std::numeric_limits<double>::infinity());
+  }
   if(writes_json) {
     Json json;
     json.add("input", options.input)
@@ -212,6 +280,8 @@ Outcome check(const Shell_options& options, bool writes_json)
       .add("components", found.components)
       .add("border_edges", found.border_edges)
       .add("intersecting_facets", found.intersecting)
+      .add("edges_with_one_polygon", found.edges.with_one_polygon)
+      .add("edges_with_several_polygons", found.edges.with_several_polygons)
       .add("excised_share", found.excised_share)
       .add("kind", found.kind);
     if(found.gaps.limit > 0)
@@ -219,19 +289,23 @@ Outcome check(const Shell_options& options, bool writes_json)
         .add("thinnest_wall", found.gaps.if_found(found.gaps.thinnest_wall))
         .add("narrowest_gap", found.gaps.if_found(found.gaps.narrowest_gap))
         .add("narrow_area", found.gaps.narrow_area);
+    if(!options.other.empty())
+      json.add("distance_to_other", distances.to_second).add("distance_from_other", distances.to_first);
     std::cout << json.text() << std::endl;
     return DONE;
   }
   std::cout << "file        " << format << "; " << model.soup.points.size() << " points, " << model.soup.polygons.size()
             << " polygons; longest side of the box " << unit << "\n";
   if(!attributes.empty()) {
-    std::cout << "attributes ";
-    for(const std::string& a : attributes) std::cout << " " << a;
-    std::cout << "\n";
+    std::cout << "attributes  " << attributes[0] << "\n";
+    for(std::size_t n = 1; n < attributes.size(); ++n) std::cout << "            " << attributes[n] << "\n";
   }
   print(found, thickness);
+  if(!options.other.empty())
+    std::cout << "distance    at most " << number(distances.to_second) << " from any point of this file to "
+              << options.other << ", and at most " << number(distances.to_first) << " conversely" << std::endl;
   if(found.status == BS::Shell_status::SUCCESS) return DONE;
-  return { DONE, options.input, with_options(message(found.status)), found.offenders };
+  return { DONE, options.input, without_advice(message(found.status)) + ".", found.offenders };
 }
 
 } // namespace Tool

@@ -38,6 +38,9 @@ Outcome remesh(const Remesh_options& options, bool writes_json)
   const Time_limit time(options.seconds);
   Progress progress;
   const double unit = longest_side(model);
+  if(options.edge->in_box(unit) > unit)
+    return { WRONG_USAGE, options.input,
+             "The length --edge is larger than the longest side of the box, " + number(unit) + ": use a smaller one." };
   const Remesh_target target{ thickness_of(options, unit), options.edge->in_box(unit), options.feature,
                               rounds_coordinates(model, options.output) };
   const auto found = std::make_shared<BS::Shell_of_soup_3>();

@@ -46,10 +46,10 @@ Outcome simplify(const Simplify_options& options, bool writes_json)
   const double tolerance = options.tolerance ? options.tolerance->in_box(longest_side(model)) : 0;
   if(options.tolerance && result.distances.largest() > tolerance)
     return { NOT_CERTIFIED, options.input,
-             "The tolerance is not kept: the distance is at most " + number(result.distances.largest()) + ". "
-               + (found.proxy ? "The polygons are not a mesh, so that a proxy around them was simplified. "
-                                  + with_options(found.mesh_message())
-                              : std::string("Use a larger --tolerance.")) };
+             "The tolerance is not kept: the distance is at most " + number(result.distances.largest())
+               + ". Use a larger --tolerance."
+               + (found.proxy ? " A proxy around the polygons was simplified. " + with_options(found.mesh_message())
+                              : std::string()) };
 
   Edit_summary summary = summary_of(result, options.input, options.output);
   summary.reaches_target = (options.facets == 0 && options.ratio == 0) || result.limit == Limit::FACETS;
@@ -73,6 +73,9 @@ Outcome simplify(const Simplify_options& options, bool writes_json)
         + (result.cut->gaps > 0 ? "; " + std::to_string(result.cut->gaps) + " parts of lines have no image" : ""));
   else if(result.cut) lines.emplace_back("lines", "were not cut. " + with_options(message(result.cut->cut.status)));
   else if(options.cuts_lines) lines.emplace_back("lines", "were not cut, because a proxy was simplified");
+  if(result.keeps_lines && !result.cut && result.lines > 0)
+    lines.emplace_back("lines", "seams and borders of labels, " + std::to_string(result.lines)
+                                  + " edges of the file, remain lines of edges");
   if(!result.keeps_lines)
     lines.emplace_back("lines", "were not kept, because the requested number of facets needs them");
   if(result.removed_border_edges > 0)

@@ -13,16 +13,17 @@
 #include "../Bake/Texel_map.h"
 #include "../Bake/bake.h"
 #include "../Carry/corner_mixes.h"
-#include "../Carry/texture_comments.h"
 #include "../Carry/transfer_attributes.h"
 #include "../Files/read_model.h"
+#include "../Files/texture_comments.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,43 +48,35 @@ std::vector<std::string> images_of(const Transfer_options& options)
 // Returns whether the names of files can be used, before anything is read.
 Outcome check_names(const Transfer_options& options)
 {
-  const std::vector<std::string> inputs = { options.input, options.to }, images = images_of(options);
-  if(const Outcome output = check_output(options.output, inputs); !output) return output;
+  const std::vector<std::string> images = images_of(options);
+  if(const Outcome output = check_output(options.output, { options.input, options.to }); !output) return output;
   for(std::size_t n = 0; n < images.size(); ++n) {
     if(extension_of(images[n]) != ".png")
       return { WRONG_USAGE, images[n], "Images are PNG files: use the extension .png." };
     if(n > 0 && images[n] == images[0]) return { WRONG_USAGE, images[n], "Both images have the same name." };
-    for(const std::string& input : inputs)
-      if(is_same_file(images[n], input))
-        return { WRONG_USAGE, images[n], "The result would replace the input: choose another name." };
   }
   return DONE;
-}
-
-const Attribute* texture_of(const Model& model)
-{
-  const Attribute* const corners = model.find(texture_name, Element::CORNER);
-  return corners != nullptr ? corners : model.find(texture_name, Element::POINT);
 }
 
 // Makes an image the texture of all polygons of a model that is written to a file.
 void set_texture(Model& model, const std::string& image, const std::string& output)
 {
   const std::filesystem::path path(image);
-  if(extension_of(output) == ".ply") {
-    const auto absolute = [](const std::filesystem::path& file) { return std::filesystem::absolute(file); };
-    const auto relative = absolute(path).lexically_relative(absolute(output).parent_path());
-    set_texture_comments(model, { texture_comment + relative.string() });
+  const std::string folder = path.parent_path().string();
+  const bool is_PLY = output == stream_name ? model.format == "ply" : extension_of(output) == ".ply";
+  const std::string replaced = is_PLY ? texture_number_name : material_name;
+  auto& attributes = model.attributes;
+  attributes.erase(
+    std::remove_if(attributes.begin(), attributes.end(), [&](const Attribute& a) { return a.name == replaced; }),
+    attributes.end());
+  if(is_PLY) {
+    set_textures_in_comments(model, { moved_name(path.filename().string(), folder, model.folder) });
     return;
   }
   const std::string baked = "baked";
-  model.folder = path.parent_path().string();
+  model.folder = folder;
   model.assets.reset();
   model.materials = "newmtl " + baked + "\nKd 1 1 1\nmap_Kd " + path.filename().string() + "\n";
-  auto& attributes = model.attributes;
-  attributes.erase(
-    std::remove_if(attributes.begin(), attributes.end(), [](const Attribute& a) { return a.name == material_name; }),
-    attributes.end());
   attributes.push_back({ material_name,
                          Element::POLYGON,
                          Kind::LABEL,
@@ -95,44 +88,46 @@ void set_texture(Model& model, const std::string& image, const std::string& outp
 
 struct Baked
 {
-  Texel_map map;
   std::vector<std::pair<std::string, Image> > images; // files and their contents
+  std::size_t covered = 0, overlapping = 0;           // numbers of texels
   std::vector<std::string> warnings;
 };
 
 void bake_images(const Transfer_options& options, const Model& from, const Model& to, const Transfer_map& map,
-                 const Color_source& colors, Progress& progress, Baked& baked)
+                 const std::optional<Color_source>& colors, Progress& progress, Baked& baked)
 {
-  baked.map = map_texels(to, map.mesh, *texture_of(to), options.size);
-  if(baked.map.overlapping > 0)
+  const Texel_map texels(to, map.mesh, *texture_coordinates(to), options.size);
+  baked.covered = texels.covered();
+  baked.overlapping = texels.overlapping();
+  if(baked.overlapping > 0)
     baked.warnings.push_back(
-      std::to_string(baked.map.overlapping) + " texels belong to several polygons, for example to polygons "
-      + std::to_string(baked.map.overlapping_polygons[0]) + " and " + std::to_string(baked.map.overlapping_polygons[1])
+      std::to_string(baked.overlapping) + " texels belong to several polygons, for example to polygons "
+      + std::to_string(texels.overlapping_polygons()[0]) + " and " + std::to_string(texels.overlapping_polygons()[1])
       + ": their texture coordinates overlap, and the first polygon is baked.");
-  if(baked.map.outside > 0)
-    baked.warnings.push_back(std::to_string(baked.map.outside)
+  if(texels.outside() > 0)
+    baked.warnings.push_back(std::to_string(texels.outside())
                              + " triangles have no texture coordinates, or some that are not between 0 and 1: they are "
                                "not baked there.");
-  const auto add = [&](const std::string& file, const std::function<Color(const Source_point&)>& color) {
-    const auto show = [&](double fraction) { progress.show("image", fraction); };
-    if(!file.empty())
-      baked.images.emplace_back(file, bake(*map.map, baked.map.texels, options.size, options.margin, color, show));
-  };
   const Mesh_origins& origins = map.map->origins();
   const auto mix = [&](const Source_point& p) { return mix_of(p.corners, p.weights, origins); };
-  add(options.image, [&](const Source_point& p) { return colors(origins.polygon_of(p.facet), mix(p)); });
+  std::optional<Normal_source> normals;
+  std::vector<Color_of_point> functions;
+  if(colors) functions.push_back([&](const Source_point& p) { return (*colors)(origins.polygon_of(p.facet), mix(p)); });
   if(!options.normal_image.empty()) {
-    const Normal_source normals(from, *map.map);
-    add(options.normal_image, [&](const Source_point& p) { return normals(p, mix(p)); });
+    normals.emplace(from, *map.map);
+    functions.push_back([&](const Source_point& p) { return (*normals)(p, mix(p)); });
   }
+  std::vector<Image> images = bake(*map.map, texels, options.margin, functions,
+                                   [&](double fraction) { progress.show("image", fraction); });
   progress.clear();
+  for(std::size_t n = 0; n < images.size(); ++n) baked.images.emplace_back(images_of(options)[n], std::move(images[n]));
 }
 
 // Returns which part of the map is proved.
 std::string map_message(const Transfer_map& map)
 {
   const BS::Shell_of_soup_3& found = map.found;
-  if(found.certification() == BS::Certification::NONE) return "none: " + map.failure.message;
+  if(found.certification() == BS::Certification::NONE) return "none: " + map.outcome.message;
   const Mapped_parts& parts = map.parts;
   const std::string onto = found.proxy     ? " to the proxy, from which it continues to the visible polygons"
                            : found.excised ? " except for excised triangles"
@@ -174,7 +169,7 @@ void print(const Transfer_options& options, const Transfer_map& map, double dist
     out << "seams       " << transferred.facets_across_seams << " facets lie across a seam\n";
   for(const auto& image : baked.images)
     out << "image       " << image.first << ": " << options.size << " x " << options.size << " texels, "
-        << percent(double(baked.map.texels.size()) / double(options.size * options.size)) << " covered\n";
+        << percent(double(baked.covered) / double(options.size * options.size)) << " covered\n";
   out << std::flush;
 }
 
@@ -188,6 +183,7 @@ Outcome transfer(const Transfer_options& options, bool writes_json)
   if(const Outcome read = read_input(options.to, to); !read) return read;
   std::vector<std::string> outputs = images_of(options);
   outputs.push_back(options.output);
+  if(const Outcome files = check_files(outputs, { &from, &to }); !files) return files;
   if(!options.view.empty())
     if(const Outcome view = check_view(options.view); !view) return view;
   for(const std::string& file : outputs)
@@ -195,11 +191,11 @@ Outcome transfer(const Transfer_options& options, bool writes_json)
 
   const Time_limit time(options.seconds);
   Baked baked;
-  const Color_source colors(from, baked.warnings);
-  if(bakes(options) && texture_of(to) == nullptr)
+  if(bakes(options) && texture_coordinates(to) == nullptr)
     return { WRONG_INPUT, options.to, "The mesh has no texture coordinates: unwrap it before colors are baked." };
-  if(!options.image.empty() && !colors)
-    return { WRONG_INPUT, options.input, "The mesh has no texture and no colors to bake." };
+  std::optional<Color_source> colors;
+  if(!options.image.empty()) colors.emplace(from, baked.warnings);
+  if(colors && !*colors) return { WRONG_INPUT, options.input, "The mesh has no texture and no colors to bake." };
 
   Progress progress;
   double distance = 0;
@@ -224,7 +220,11 @@ Outcome transfer(const Transfer_options& options, bool writes_json)
   if(!options.image.empty()) set_texture(output, options.image, options.output);
 
   Contents images;
-  for(const auto& image : baked.images) images.emplace_back(image.first, png_of(image.second));
+  for(const auto& [file, image] : baked.images) {
+    std::optional<std::string> png = png_of(image);
+    if(!png) return { CANNOT_WRITE, file, "The memory does not suffice for the image: choose a smaller --size." };
+    images.emplace_back(file, std::move(png));
+  }
   std::vector<std::string> written_attributes, warnings = baked.warnings;
   if(const Outcome written = write_result(output, options.output, { &from, &to }, images, written_attributes, warnings);
      !written)
@@ -259,8 +259,8 @@ Outcome transfer(const Transfer_options& options, bool writes_json)
       .add("replaced", transferred.replaced)
       .add("facets_across_seams", transferred.facets_across_seams)
       .add("images", images_of(options))
-      .add("covered_texels", baked.map.texels.size())
-      .add("overlapping_texels", baked.map.overlapping)
+      .add("covered_texels", baked.covered)
+      .add("overlapping_texels", baked.overlapping)
       .add("warnings", warnings)
       .add("seconds", time.seconds());
     report_stream(options.output) << json.text() << std::endl;

@@ -36,7 +36,13 @@ Outcome transfer(const Transfer_options& options, bool writes_json);
 
 // \param view page that shows the shell; empty if it is not written
 Outcome shell(const Shell_options& options, const std::string& prefix, const std::string& view, bool writes_json);
-Outcome check(const Shell_options& options, bool writes_json);
+
+struct Check_options : Shell_options
+{
+  std::string other; // a mesh whose distance is bounded; empty if there is none
+};
+Outcome check(const Check_options& options, bool writes_json);
+
 Outcome certify(const std::string& shell, const std::string& mesh, bool writes_json);
 
 } // namespace Tool
