@@ -64,7 +64,7 @@ else
 fi
 cat <<END
 Results:
-  $prefix.html              a page to turn both meshes and the shell, and to see the map between them
+  $prefix.html             a page to turn both meshes and the shell, and to see the map between them
   ${prefix}_simplified.ply   the simplified mesh, with everything that the file has attached to the mesh
   ${prefix}.shell            the shell
   ${prefix}.json             report on the file, its repairs, and the shell
