@@ -44,7 +44,8 @@ def write(path, text):
 
 def row(record):
     """Returns a record's row of the table."""
-    report, simplified = record.get("report") or {}, record.get("simplified") or {}
+    report = record.get("report") or {}
+    simplified = record["simplified"] if record["outcome"] == "done" else {}     # otherwise, an error
     shell = report.get("shell", {})
     certified = report.get("status", "").startswith("certified")
 
@@ -55,7 +56,7 @@ def row(record):
         # The report also counts facets that close an open mesh.
         "facets": simplified.get("facets_before", shell.get("facets")),
         "simplified_facets": simplified.get("facets"), "thickness": percentage(shell["thickness"]) if certified else None,
-        "distance": percentage(max(simplified["distance_to_result"], simplified["distance_to_input"])) if "facets" in simplified and shell else None,
+        "distance": percentage(max(simplified["distance_to_result"], simplified["distance_to_input"])) if simplified else None,
         "cells": shell.get("cells"), "seconds": record.get("seconds"), "peak_mb": record.get("peak_mb"), "file": record["file"],
         "exit": record["exit"], "reason": record["reason"], "cpu_seconds": record.get("cpu_seconds"),
         "points_without_image": simplified.get("points_without_image"), "drawing_seconds": record.get("drawing_seconds")}
