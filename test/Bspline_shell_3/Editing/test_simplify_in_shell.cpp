@@ -392,6 +392,15 @@ TEST_CASE("Simplification: estimates and full proofs yield the same mesh")
   CHECK(is_equal(estimated, proved));
 }
 
+TEST_CASE("Simplification: a stop predicate is repeated only if this cannot be observed")
+{
+  CHECK(BS::Is_repeatable_stop_predicate<BS::Facet_count_stop_predicate>::value);
+  CHECK(BS::Is_repeatable_stop_predicate<BS::Never_stop_predicate>::value);
+  struct Recording_stop_predicate : BS::Never_stop_predicate
+  {};
+  CHECK_FALSE(BS::Is_repeatable_stop_predicate<Recording_stop_predicate>::value);
+}
+
 TEST_CASE("Simplification: nothing changes if every collapse is rejected")
 {
   const Mesh start = sphere(2);

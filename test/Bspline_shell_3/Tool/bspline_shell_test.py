@@ -84,6 +84,14 @@ with tempfile.TemporaryDirectory() as folder:
     report = result("simplify", path("in.ply"), "-o", path("t.ply"), "--ratio", "0.5")
     assert abs(report["facets"] - len(triangles) / 2) <= 1, report
 
+    # A time limit that is not reached changes nothing, and a number of threads never does.
+    elephant = [os.path.join(meshes, "elephant.off"), "-o", path("t.off")]
+    outputs = []
+    for options in ((), ("--time-limit", "1000"), ("--threads", "1")):
+        result("simplify", *elephant, *options)
+        outputs.append(read(path("t.off")))
+    assert outputs[0] == outputs[1] == outputs[2]
+
     # OBJ: a texture with a seam, two materials, groups, and smoothing groups
     def uv(p, near):
         u = math.atan2(p[1], p[0]) / (2 * math.pi)

@@ -11,24 +11,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <type_traits>
 
 namespace Tool {
-
-namespace {
-
-typedef Mesh::Property_map<Mesh::Edge_index, bool> Edge_marks;
-
-// Marks the lines of a mesh, and returns their number of edges.
-std::size_t mark_lines(const std::vector<char>& lines, Mesh& mesh, Edge_marks marks)
-{
-  std::size_t number = 0;
-  for(auto e : mesh.edges())
-    if(lines[e]) {
-      marks[e] = true;
-      ++number;
-    }
-  return number;
-}
 
 // Stops at a number of facets, or at a time.
 class Timed_stop_predicate
@@ -51,6 +36,31 @@ private:
   const Time_limit* m_time;
   bool* m_is_late;
 };
+
+} // namespace Tool
+
+// So a time limit that is not reached does not change the result.
+template <>
+struct CGAL::Bspline_shells::Is_repeatable_stop_predicate<Tool::Timed_stop_predicate> : std::true_type
+{};
+
+namespace Tool {
+
+namespace {
+
+typedef Mesh::Property_map<Mesh::Edge_index, bool> Edge_marks;
+
+// Marks the lines of a mesh, and returns their number of edges.
+std::size_t mark_lines(const std::vector<char>& lines, Mesh& mesh, Edge_marks marks)
+{
+  std::size_t number = 0;
+  for(auto e : mesh.edges())
+    if(lines[e]) {
+      marks[e] = true;
+      ++number;
+    }
+  return number;
+}
 
 BS::Simplification_result<Mesh> simplify_mesh(Mesh& mesh, Edge_marks lines, bool needs_filter, std::size_t facets,
                                               const BS::Shell_of_soup_3& found, const Simplify_target& target,

@@ -169,8 +169,8 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *   decide. If the certificate then fails, and not because of the shell itself, the mesh is restored and simplified
  *   again with a proof for each facet (`Edit_report::is_repeated`). This is done only where the rollback cannot be
  *   observed: for a `Surface_mesh` without garbage, and without a visitor, a filter, frozen facets, and stop predicates
- *   other than `Facet_count_stop_predicate` and `Never_stop_predicate`. Otherwise, every created facet is proved
- *   immediately. The costs of the policy are initialized again for the repetition, and a map of constrained edges has
+ *   that may not be repeated (`Is_repeatable_stop_predicate`). Otherwise, every created facet is proved immediately.
+ * The costs of the policy are initialized again for the repetition, and a map of constrained edges has
  *   its original values.
  *
  * \cgalHeading{Cost} For each facet at the new vertex, a collapse evaluates the field at a few points, or proves it
@@ -228,8 +228,7 @@ Simplification_result<TriangleMesh> simplify_in_shell(TriangleMesh& mesh,
   // The rollback before a repetition must not be observable.
   options.may_repeat = is_default_parameter<CGAL_NP_CLASS, internal_np::visitor_t>::value
                        && is_default_parameter<CGAL_NP_CLASS, internal_np::filter_t>::value
-                       && (std::is_same<decltype(stop), const Never_stop_predicate>::value
-                           || std::is_same<decltype(stop), const Facet_count_stop_predicate>::value);
+                       && Is_repeatable_stop_predicate<std::decay_t<decltype(stop)> >::value;
 
   constexpr bool has_cost = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_cost_policy_t>::value;
   constexpr bool has_placement = !is_default_parameter<CGAL_NP_CLASS, internal_np::get_placement_policy_t>::value;

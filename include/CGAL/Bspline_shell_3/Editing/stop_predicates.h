@@ -7,6 +7,7 @@
 #define CGAL_BSPLINE_SHELL_3_EDITING_STOP_PREDICATES_H
 
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -49,6 +50,24 @@ struct Never_stop_predicate
     return false;
   }
 };
+
+/*!
+ * \ingroup PkgBsplineShell3Editing
+ *
+ * \brief tells whether `simplify_in_shell()` may restore the mesh and simplify it again with the same stop predicate,
+ * because the predicate stores nothing about edges. If so, facets need not be proved immediately, which saves time.
+ *
+ * Specialize this template for your own predicates.
+ */
+template <typename StopPredicate>
+struct Is_repeatable_stop_predicate : std::false_type
+{};
+template <>
+struct Is_repeatable_stop_predicate<Facet_count_stop_predicate> : std::true_type
+{};
+template <>
+struct Is_repeatable_stop_predicate<Never_stop_predicate> : std::true_type
+{};
 
 } // namespace Bspline_shells
 } // namespace CGAL
