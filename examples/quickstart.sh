@@ -53,7 +53,7 @@ if [ "$status" != 0 ]; then
   fi
   exit "$status"
 fi
-rm -f "${prefix}"{.png,_painted.ply,_detail.ply}      # of an earlier run
+rm -f "${prefix}"{.png,_failed.png,_painted.ply,_detail.ply}      # files of an earlier run
 /usr/bin/python3 examples/Bspline_shell_3/paint_meshes.py "$prefix" &&
   "$tool" transfer "${prefix}"{_painted.ply,_subdivided.ply} -o "${prefix}_detail.ply" || true
 echo
