@@ -33,7 +33,7 @@ struct Edit_summary
   double seconds = 0;
 };
 
-// Begins a report with what the edited mesh tells.
+// Begins a report with the numbers of an edited mesh.
 Edit_summary summary_of(const Edited& result, const std::string& input, const std::string& output);
 
 // Returns the report, to which a verb may add members.

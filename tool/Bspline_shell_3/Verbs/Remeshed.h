@@ -30,7 +30,7 @@ struct Remeshed : Edited
   std::size_t features = 0;     // edges on features
   bool protects_lines = false;  // whether lines and features are neither split nor collapsed
   double mean_edge = 0;         // mean length of the edges
-  double share_near_target = 0; // of the edges: those from 4/5 to 4/3 of the length
+  double share_near_target = 0; // share of edges from 4/5 to 4/3 of the length
 };
 
 // Remeshes the mesh of a certified shell. If the time is short, the result is that of fewer operations.

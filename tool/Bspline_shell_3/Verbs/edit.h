@@ -17,13 +17,13 @@ namespace Tool {
 // Reads the model, after it is clear that the results can be written and replace no input.
 Outcome open_edit(const Edit_options& options, Model& model);
 
-// Returns the outcome of an edit without a certified shell. If files of the shell or a page are requested, those that
-// describe the failure are written.
+// Returns the outcome of an edit without a certified shell. Writes the report and the page of the failure if files of
+// the shell or a page are requested.
 Outcome fail_edit(const Outcome& outcome, const Edit_options& options, const Model& model,
                   const BS::Shell_of_soup_3& found);
 
 // Carries the attributes of the model to the edited mesh, and writes it, together with the files of its shell and the
-// page if they are requested. Adds what is in the file to the summary.
+// page if they are requested. Adds attributes and warnings to the summary.
 Outcome write_edit(const Edit_options& options, const Model& model, const Edited& result, Progress& progress,
                    Edit_summary& summary);
 

@@ -22,7 +22,7 @@ struct Shell_options
   std::optional<Length> thickness, weld;
   double excised_percentage = 10; // largest part of the area that may be excised
   double seconds = std::numeric_limits<double>::infinity();
-  double megabytes = 4000; // of memory for the construction
+  double megabytes = 4000; // largest memory of the construction
 };
 
 // Returns the thickness of the options; by default, 1 % of the longest side of the bounding box.

@@ -54,8 +54,8 @@ struct Never_stop_predicate
 /*!
  * \ingroup PkgBsplineShell3Editing
  *
- * \brief tells whether `simplify_in_shell()` may restore the mesh and simplify it again with the same stop predicate,
- * because the predicate stores nothing about edges. If so, facets need not be proved immediately, which saves time.
+ * \brief is true if `simplify_in_shell()` may restore the mesh and simplify it again with the same stop predicate. This
+ * requires that the predicate stores nothing about edges. Facets need not be proved immediately then, which saves time.
  *
  * Specialize this template for your own predicates.
  */
