@@ -55,4 +55,5 @@ for figure in chosen:
         making = Making(folder)
         results = figure.make(making)
         assert [name for name, _ in results.pictures] == making.pictures, (results.pictures, making.pictures)
+        assert all((making.folder / file).is_file() for file, _ in results.pages), results.pages
         print(figure.name, results.headline)

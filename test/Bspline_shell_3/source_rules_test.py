@@ -7,7 +7,7 @@ The layers, from the lowest, are the folders of include/CGAL/Bspline_shell_3 in 
 headers only to test them; examples and benchmarks do not use internal names.
 
 It also fails
-- if a source of the program bspline_shell includes one of a higher layer (Files, Carry, Bake, View, Verbs), or names something
+- if a source of the program bspline_shell includes one of a higher layer (Files, Carry, Bake, View, Commands), or names something
   internal to the package;
 - if a source of the package converts numbers to doubles other than by rounded() of Support/coordinates.h, which proofs
   rely on;
@@ -21,7 +21,7 @@ import sys
 
 STOREYS = ["Support", "Spline", "Cells", "Mesh", "Field", "Shell", "Closing", "Truncation", "Fit", "Certificate", "Projection", "Transfer", "Editing", "Surface",
            "IO", "Construction", "Soup"]
-TOOL_STOREYS = ["Files", "Carry", "Bake", "View", "Verbs"]
+TOOL_STOREYS = ["Files", "Carry", "Bake", "View", "Commands"]
 PACKAGE = "CGAL/Bspline_shell_3/"
 
 

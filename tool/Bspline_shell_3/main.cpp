@@ -1,9 +1,9 @@
 // The command-line program: simplifies meshes in files with everything that is in them, and proves the result.
 #include "Files/Words.h"
-#include "Verbs/Exit_code.h"
-#include "Verbs/Length.h"
-#include "Verbs/Outcome.h"
-#include "Verbs/verbs.h"
+#include "Commands/Exit_code.h"
+#include "Commands/Length.h"
+#include "Commands/Outcome.h"
+#include "Commands/commands.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -64,14 +64,14 @@ std::size_t edit_distance(const std::string& a, const std::string& b)
   return row.back();
 }
 
-std::vector<std::string> verbs_of(const CLI::App& program)
+std::vector<std::string> commands_of(const CLI::App& program)
 {
   std::vector<std::string> names;
-  for(const CLI::App* verb : program.get_subcommands(nullptr)) names.push_back(verb->get_name());
+  for(const CLI::App* command : program.get_subcommands(nullptr)) names.push_back(command->get_name());
   return names;
 }
 
-// Returns the option or verb that is most similar to an unknown one, or an empty name if none is similar.
+// Returns the option or command that is most similar to an unknown one, or an empty name if none is similar.
 std::string nearest(const std::string& word, const CLI::App& app)
 {
   std::string best;
@@ -82,25 +82,25 @@ std::string nearest(const std::string& word, const CLI::App& app)
     for(const CLI::Option* option : app.get_options())
       for(const std::string& name : option->get_lnames()) consider("--" + name);
   } else
-    for(const std::string& name : verbs_of(app)) consider(name);
+    for(const std::string& name : commands_of(app)) consider(name);
   return 2 * edit_distance(word, best) <= word.size() ? best : "";
 }
 
 // Returns the fault in the arguments of the program as a sentence.
 std::string wrong_usage(const CLI::App& program, const CLI::App& app, const CLI::ParseError& error)
 {
-  const bool has_verb = &app != &program;
+  const bool has_command = &app != &program;
   const std::vector<std::string> unknown = app.remaining();
-  std::string verbs = " The commands are";
-  for(const std::string& name : verbs_of(program)) verbs += " " + name + ",";
-  verbs.back() = '.';
-  if(unknown.empty()) return has_verb ? error.what() : "A command is required." + verbs;
+  std::string commands = " The commands are";
+  for(const std::string& name : commands_of(program)) commands += " " + name + ",";
+  commands.back() = '.';
+  if(unknown.empty()) return has_command ? error.what() : "A command is required." + commands;
   const std::string& word = unknown.front();
   const bool is_option = word.compare(0, 1, "-") == 0;
   const std::string similar = nearest(word, app), hint = similar.empty() ? "." : ": did you mean " + similar + "?";
   if(word == "%") return "A percentage is written without a space: 1%.";
   if(is_option) return "There is no option " + word + hint;
-  if(!has_verb) return "There is no command " + word + (similar.empty() ? "." + verbs : hint);
+  if(!has_command) return "There is no command " + word + (similar.empty() ? "." + commands : hint);
   const bool has_output = app.get_option_no_throw("--output") != nullptr && app.count("--output") == 0;
   return "The argument " + word + " is one too many"
          + (has_output ? ": to name the result, use -o " + word + "." : std::string("."));
@@ -108,16 +108,17 @@ std::string wrong_usage(const CLI::App& program, const CLI::App& app, const CLI:
 
 int refuse(const CLI::App& program, const CLI::ParseError& error)
 {
-  const auto verbs = program.get_subcommands();
-  const CLI::App& app = verbs.empty() ? program : *verbs.front();
-  std::cerr << wrong_usage(program, app, error) << "\nSee bspline_shell " << (verbs.empty() ? "" : app.get_name() + " ")
-            << "--help." << std::endl;
+  const auto commands = program.get_subcommands();
+  const CLI::App& app = commands.empty() ? program : *commands.front();
+  std::cerr << wrong_usage(program, app, error) << "\nSee bspline_shell "
+            << (commands.empty() ? "" : app.get_name() + " ") << "--help." << std::endl;
   return Tool::WRONG_USAGE;
 }
 
-void add_length(CLI::App& verb, const std::string& name, std::optional<Tool::Length>& length, const std::string& text)
+void add_length(CLI::App& command, const std::string& name, std::optional<Tool::Length>& length,
+                const std::string& text)
 {
-  verb
+  command
     .add_option_function<std::string>(
       name,
       [name, &length](const std::string& value) {
@@ -154,14 +155,14 @@ CLI::Validator natural()
     "");
 }
 
-void add_shell(CLI::App& verb, Tool::Shell_options& shell, const std::string& thickness, const std::string& name = "IN",
-               const std::string& mesh = "The mesh")
+void add_shell(CLI::App& command, Tool::Shell_options& shell, const std::string& thickness,
+               const std::string& name = "IN", const std::string& mesh = "The mesh")
 {
-  verb.add_option(name, shell.input, mesh)->required();
-  add_length(verb, "--thickness", shell.thickness, "Thickness of the shell (default: " + thickness + ")");
-  add_length(verb, "--weld", shell.weld,
+  command.add_option(name, shell.input, mesh)->required();
+  add_length(command, "--thickness", shell.thickness, "Thickness of the shell (default: " + thickness + ")");
+  add_length(command, "--weld", shell.weld,
              "Merge points within this distance if this closes cracks (default: a few units in the last digit)");
-  verb
+  command
     .add_option("--excise", shell.excised_percentage,
                 "Largest part of the area, in percent, that may be left out of the shell because of intersections and "
                 "other defects; it stays as it is")
@@ -169,48 +170,51 @@ void add_shell(CLI::App& verb, Tool::Shell_options& shell, const std::string& th
     ->capture_default_str();
 }
 
-void add_output(CLI::App& verb, std::string& output)
+void add_output(CLI::App& command, std::string& output)
 {
-  verb
+  command
     .add_option("-o,--output", output,
                 "The result; its extension selects the format. The standard output, -, has the format of the input.")
     ->required();
 }
 
-void add_view(CLI::App& verb, std::string& view, const std::string& contents)
+void add_view(CLI::App& command, std::string& view, const std::string& contents)
 {
-  verb.add_option("--view", view, "Write a page for a browser that shows " + contents)->type_name("PAGE.html");
+  command.add_option("--view", view, "Write a page for a browser that shows " + contents)->type_name("PAGE.html");
 }
 
-void add_edit(CLI::App& verb, Tool::Edit_options& edit)
+void add_edit(CLI::App& command, Tool::Edit_options& edit)
 {
-  add_output(verb, edit.output);
-  verb
+  add_output(command, edit.output);
+  add_length(command, "--tolerance", edit.tolerance,
+             "Largest distance of any point of either surface from the other one (default: no limit)");
+  command
     .add_option("--shell", edit.shell,
                 "Write the shell, its mesh, and its surfaces as well; see the command shell for the names")
     ->type_name("PREFIX");
-  add_view(verb, edit.view, "the mesh, the result, the shell, and the map between them");
-  verb.add_flag("--keep-normals", edit.carries_normals, "Interpolate normals instead of recomputing them");
+  add_view(command, edit.view, "the mesh, the result, the shell, and the map between them");
+  command.add_flag("--keep-normals", edit.carries_normals, "Interpolate normals instead of recomputing them");
 }
 
-void add_limits(CLI::App& verb, Tool::Shell_options& shell, Thread_limit& threads)
+void add_limits(CLI::App& command, Tool::Shell_options& shell, Thread_limit& threads)
 {
-  verb.add_option("--time-limit", shell.seconds, "Time limit in seconds")->check(positive());
-  verb.add_option("--memory-limit", shell.megabytes, "Memory for the shell, in megabytes")
+  command.add_option("--time-limit", shell.seconds, "Time limit in seconds")->check(positive());
+  command.add_option("--memory-limit", shell.megabytes, "Memory for the shell, in megabytes")
     ->check(positive())
     ->capture_default_str();
-  verb.add_option_function<std::size_t>("--threads", std::ref(threads), "Number of threads (default: all processors)")
+  command
+    .add_option_function<std::size_t>("--threads", std::ref(threads), "Number of threads (default: all processors)")
     ->check(natural());
 }
 
-void add_common(CLI::App& verb, bool& writes_json, const std::string& examples)
+void add_common(CLI::App& command, bool& writes_json, const std::string& examples)
 {
-  verb.group("Commands");
-  verb.add_flag("--json", writes_json, "Print the result, or the error, as JSON");
-  verb.footer("Examples\n" + examples + "\n" + Tool::exit_codes);
+  command.group("Commands");
+  command.add_flag("--json", writes_json, "Print the result, or the error, as JSON");
+  command.footer("Examples\n" + examples + "\n" + Tool::exit_codes);
 }
 
-// Lists verbs with the first lines of their descriptions.
+// Lists commands with the first lines of their descriptions.
 class Help_formatter : public CLI::Formatter
 {
 public:
@@ -219,11 +223,11 @@ public:
     column_width(32);
     label("SUBCOMMAND", "COMMAND");
   }
-  std::string make_subcommand(const CLI::App* verb) const override
+  std::string make_subcommand(const CLI::App* command) const override
   {
-    const std::string description = verb->get_description();
+    const std::string description = command->get_description();
     std::ostringstream out;
-    CLI::detail::format_help(out, verb->get_name(), description.substr(0, description.find('\n')), column_width_);
+    CLI::detail::format_help(out, command->get_name(), description.substr(0, description.find('\n')), column_width_);
     return out.str();
   }
 };
@@ -250,72 +254,71 @@ int main(int argc, char** argv)
     "\nA LENGTH is in the unit of the file, or in percent of the longest side of its box: 0.5%";
 
   Tool::Simplify_options simplify;
-  CLI::App* verb = program.add_subcommand("simplify", "Simplify a mesh, and keep its attributes." + lengths);
-  add_edit(*verb, simplify);
-  add_length(*verb, "--tolerance", simplify.tolerance,
-             "Largest distance of any point of either surface from the other one (default: no limit)");
-  auto* facets = verb->add_option("--facets", simplify.facets, "Stop at this number of triangles")->check(natural());
-  verb->add_option("--ratio", simplify.ratio, "Stop at this fraction of the number of triangles")
+  CLI::App* command = program.add_subcommand("simplify", "Simplify a mesh, and keep its attributes." + lengths);
+  add_edit(*command, simplify);
+  auto* facets = command->add_option("--facets", simplify.facets, "Stop at this number of triangles")->check(natural());
+  command->add_option("--ratio", simplify.ratio, "Stop at this fraction of the number of triangles")
     ->check(positive(1))
     ->excludes(facets);
-  add_length(*verb, "--border", simplify.border,
+  add_length(*command, "--border", simplify.border,
              "Simplify open borders within this distance (default: borders are kept)");
-  verb->add_flag("--cut-seams", simplify.cuts_lines,
-                 "Cut facets along seams and borders of labels, so that none lies across one");
-  add_shell(*verb, simplify, "as required by the tolerance or the number of facets; at first, the tolerance or 1%");
-  add_limits(*verb, simplify, threads);
-  add_common(*verb, writes_json,
+  command->add_flag("--cut-seams", simplify.cuts_lines,
+                    "Cut facets along seams and borders of labels, so that none lies across one");
+  add_shell(*command, simplify, "as required by the tolerance or the number of facets; at first, the tolerance or 1%");
+  add_limits(*command, simplify, threads);
+  add_common(*command, writes_json,
              "  bspline_shell simplify scan.obj -o small.obj --tolerance 0.5%\n"
              "  bspline_shell simplify part.stl -o part.ply --facets 10000\n"
              "  bspline_shell simplify terrain.ply -o coarse.ply --tolerance 2 --border 2\n"
              "  bspline_shell simplify - -o - --ratio 0.1 < scan.ply > small.ply\n");
-  verb->callback([&] { outcome = Tool::simplify(simplify, writes_json); });
+  command->callback([&] { outcome = Tool::simplify(simplify, writes_json); });
 
   Tool::Remesh_options remesh;
-  verb = program.add_subcommand("remesh",
-                                "Remesh a mesh to edges of about one length, and keep its attributes." + lengths);
-  add_edit(*verb, remesh);
-  add_length(*verb, "--edge", remesh.edge, "Length of edges");
-  verb->get_option("--edge")->required();
-  verb
+  command = program.add_subcommand("remesh",
+                                   "Remesh a mesh to edges of about one length, and keep its attributes." + lengths);
+  add_edit(*command, remesh);
+  add_length(*command, "--edge", remesh.edge, "Length of edges");
+  command->get_option("--edge")->required();
+  command
     ->add_option("--features", remesh.feature,
                  "Keep edges with a larger angle between the normals of their facets, in degrees")
     ->type_name("ANGLE")
     ->check(CLI::Range(0., 180.))
     ->capture_default_str();
-  add_shell(*verb, remesh, "1%");
-  add_limits(*verb, remesh, threads);
-  add_common(*verb, writes_json, "  bspline_shell remesh part.ply -o even.ply --edge 1% --features 40\n");
-  verb->callback([&] { outcome = Tool::remesh(remesh, writes_json); });
+  add_shell(*command, remesh, "as required by the tolerance; without one, 1%");
+  add_limits(*command, remesh, threads);
+  add_common(*command, writes_json, "  bspline_shell remesh part.ply -o even.ply --edge 1% --features 40\n");
+  command->callback([&] { outcome = Tool::remesh(remesh, writes_json); });
 
   Tool::Transfer_options transfer;
-  verb = program.add_subcommand("transfer", "Transfer the attributes of one mesh to another." + lengths);
-  add_shell(*verb, transfer, "as required by the distance of TO", "FROM", "The mesh with attributes");
-  verb->add_option("TO", transfer.to, "The mesh that gets them; its points and polygons are kept")->required();
-  add_output(*verb, transfer.output);
-  add_view(*verb, transfer.view, "both meshes, the shell, and the map between them");
-  verb->add_flag("--normals", transfer.includes_normals, "Transfer normals as well");
-  verb->add_option("--bake", transfer.image, "Bake colors of FROM into this PNG file, over texture coordinates of TO")
+  command = program.add_subcommand("transfer", "Transfer the attributes of one mesh to another." + lengths);
+  add_shell(*command, transfer, "as required by the distance of TO", "FROM", "The mesh with attributes");
+  command->add_option("TO", transfer.to, "The mesh that gets them; its points and polygons are kept")->required();
+  add_output(*command, transfer.output);
+  add_view(*command, transfer.view, "both meshes, the shell, and the map between them");
+  command->add_flag("--normals", transfer.includes_normals, "Transfer normals as well");
+  command
+    ->add_option("--bake", transfer.image, "Bake colors of FROM into this PNG file, over texture coordinates of TO")
     ->type_name("IMAGE");
-  verb->add_option("--bake-normals", transfer.normal_image, "Bake normals of FROM, in its coordinates")
+  command->add_option("--bake-normals", transfer.normal_image, "Bake normals of FROM, in its coordinates")
     ->type_name("IMAGE");
-  verb->add_option("--size", transfer.size, "Number of texels along each side of the image")
+  command->add_option("--size", transfer.size, "Number of texels along each side of the image")
     ->type_name("PIXELS")
     ->check(CLI::Range(1, 16384))
     ->capture_default_str();
-  verb->add_option("--margin", transfer.margin, "Number of texels that are filled around charts")
+  command->add_option("--margin", transfer.margin, "Number of texels that are filled around charts")
     ->type_name("PIXELS")
     ->check(CLI::Range(0, 1024))
     ->capture_default_str();
-  add_limits(*verb, transfer, threads);
-  add_common(*verb, writes_json,
+  add_limits(*command, transfer, threads);
+  add_common(*command, writes_json,
              "  bspline_shell transfer scan.obj retopology.obj -o result.obj\n"
              "  bspline_shell transfer scan.ply unwrapped.obj -o result.obj --bake colors.png --size 2048\n");
-  verb->callback([&] { outcome = Tool::transfer(transfer, writes_json); });
+  command->callback([&] { outcome = Tool::transfer(transfer, writes_json); });
 
   Tool::Shell_options shell;
   std::string prefix, page;
-  verb = program.add_subcommand(
+  command = program.add_subcommand(
     "shell",
     "Build a certified shell, and write it with its surfaces and its proof.\n"
     "  PREFIX.shell                 the shell, for the command certify and the library's function read_shell()\n"
@@ -336,40 +339,41 @@ int main(int argc, char** argv)
     "If it is certified, all files of an earlier run with this prefix are replaced or removed; otherwise, only\n"
     "those whose names begin with PREFIX_failed."
       + lengths);
-  add_shell(*verb, shell, "1%");
-  verb->add_option("-o,--output", prefix, "Prefix of the names of the files")->required()->type_name("PREFIX");
-  add_view(*verb, page, "the mesh and the shell, or the places where the proof fails");
-  add_limits(*verb, shell, threads);
-  add_common(*verb, writes_json, "  bspline_shell shell part.stl -o part\n");
-  verb->callback([&] { outcome = Tool::shell(shell, prefix, page, writes_json); });
+  add_shell(*command, shell, "1%");
+  command->add_option("-o,--output", prefix, "Prefix of the names of the files")->required()->type_name("PREFIX");
+  add_view(*command, page, "the mesh and the shell, or the places where the proof fails");
+  add_limits(*command, shell, threads);
+  add_common(*command, writes_json, "  bspline_shell shell part.stl -o part\n");
+  command->callback([&] { outcome = Tool::shell(shell, prefix, page, writes_json); });
 
   Tool::Check_options check;
-  verb = program.add_subcommand("check", "Describe a file: its attributes, its defects, and the shell that it can have."
-                                           + lengths);
-  add_shell(*verb, check, "1%");
-  verb->add_option("--distance", check.other, "Prove how far the surface is from that of another file, and conversely")
+  command = program.add_subcommand(
+    "check", "Describe a file: its attributes, its defects, and the shell that it can have." + lengths);
+  add_shell(*command, check, "1%");
+  command
+    ->add_option("--distance", check.other, "Prove how far the surface is from that of another file, and conversely")
     ->type_name("MESH");
-  add_common(*verb, writes_json,
+  add_common(*command, writes_json,
              "  bspline_shell check part.stl --thickness 0.2\n"
              "  bspline_shell check part.stl --distance part_of_supplier.stl\n");
-  verb->callback([&] { outcome = Tool::check(check, writes_json); });
+  command->callback([&] { outcome = Tool::check(check, writes_json); });
 
   std::string shell_file, mesh_file;
-  verb = program.add_subcommand("certify",
-                                "Prove that a mesh lies in a shell and is mapped one-to-one.\n"
-                                "The claims:\n"
-                                "  containment      the mesh lies in the shell\n"
-                                "  transversality   each facet faces along the curves that lead through the shell\n"
-                                "  gradient         no curve ends within the shell\n"
-                                "  one_sheet        each part of the shell contains one part of the mesh\n"
-                                "  degree_one       a path from the inner to the outer surface crosses the mesh once");
-  verb->add_option("SHELL", shell_file, "The file PREFIX.shell that the command shell has written")->required();
-  verb->add_option("MESH", mesh_file, "The mesh")->required();
-  add_common(*verb, writes_json,
+  command = program.add_subcommand(
+    "certify", "Prove that a mesh lies in a shell and is mapped one-to-one.\n"
+               "The claims:\n"
+               "  containment      the mesh lies in the shell\n"
+               "  transversality   each facet faces along the curves that lead through the shell\n"
+               "  gradient         no curve ends within the shell\n"
+               "  one_sheet        each part of the shell contains one part of the mesh\n"
+               "  degree_one       a path from the inner to the outer surface crosses the mesh once");
+  command->add_option("SHELL", shell_file, "The file PREFIX.shell that the command shell has written")->required();
+  command->add_option("MESH", mesh_file, "The mesh")->required();
+  add_common(*command, writes_json,
 
              "  bspline_shell shell part.ply -o part\n"
              "  bspline_shell certify part.shell part_remeshed.ply\n");
-  verb->callback([&] { outcome = Tool::certify(shell_file, mesh_file, writes_json); });
+  command->callback([&] { outcome = Tool::certify(shell_file, mesh_file, writes_json); });
 
   try {
     program.parse(argc, argv);

@@ -47,7 +47,7 @@ HAUSDORFF_ERROR = 0.05  # % of the box side, much less than the tolerance
 SAME = 1e-9             # box sides; no edit moves a point by so little
 RUNS = 3                # number of runs, whose median is the time
 SLOW = 10               # seconds; longer runs are not repeated
-LIMIT = 60              # seconds; a verb takes a few
+LIMIT = 60              # seconds; a command takes a few
 LATTICE = [(i + 1 / 3, j + 1 / 3, 4 - i - j - 2 / 3) for i in range(4) for j in range(4 - i)]  # sums are 4
 
 
@@ -171,35 +171,36 @@ class Measurement:
         original = write_off(before, self.path(model.name + ".off"))
         has_lines = model.has_texture or model.scores is not None
         tolerance = f"{TOLERANCE}%"
-        verbs = {"simplify": ["simplify", source, "--tolerance", tolerance], "quarter": ["simplify", source, "--ratio", "0.25"],
-                 "remesh": ["remesh", source, "--edge", f"{EDGE}%"]}
+        commands = {"simplify": ["simplify", source, "--tolerance", tolerance],
+                    "quarter": ["simplify", source, "--ratio", "0.25"],
+                    "remesh": ["remesh", source, "--edge", f"{EDGE}%"]}
         if has_lines:
-            verbs["cut"] = ["simplify", source, "--tolerance", tolerance, "--cut-seams"]
+            commands["cut"] = ["simplify", source, "--tolerance", tolerance, "--cut-seams"]
         rows, even = {}, None
-        for verb, command in verbs.items():
-            row, after = self.edit(model, before, verb, command)
-            rows[verb] = row
+        for name, command in commands.items():
+            row, after = self.edit(model, before, name, command)
+            rows[name] = row
             if after is None:
                 continue
-            if verb == "remesh":
+            if name == "remesh":
                 even = after
-            result = write_off(after, self.path(f"{model.name}.{verb}.off"))
+            result = write_off(after, self.path(f"{model.name}.{name}.off"))
             row["true"] = self.pool.submit(self.true_distance, original, result, HAUSDORFF_ERROR / 100 * model.side)
         if even is not None:
             target = known.Model("even_" + os.path.splitext(model.name)[0], "off", even.points, even.polygons)
             rows["transfer"], _ = self.edit(model, known.Content(even.points, even.polygons), "transfer",
                                             ["transfer", source, known.write_model(target, self.folder)])
         plain = known.write_model(model.stripped("plain_" + os.path.splitext(model.name)[0]), self.folder)
-        for verb in ("simplify", "remesh"):
-            self.compare_time(rows[verb], verbs[verb], plain)
+        for name in ("simplify", "remesh"):
+            self.compare_time(rows[name], commands[name], plain)
         for row in rows.values():
             self.finish(row)
         return list(rows.values())
 
-    def edit(self, model, before, verb, command):
-        output = self.path(verb + "_" + model.name)
+    def edit(self, model, before, name, command):
+        output = self.path(name + "_" + model.name)
         report, seconds = run(self.program, *command, "-o", output)
-        row = {"file": model.name, "verb": verb, "report": report, "seconds": seconds}
+        row = {"file": model.name, "command": name, "report": report, "seconds": seconds}
         if report["exit_code"] != 0:
             return row, None
         after = known.read_model(output)
@@ -212,11 +213,11 @@ class Measurement:
         if model.scores:
             row["wrong_area"], row["crossing"] = compare_regions(model, after, report["thickness"])
             row["across"] = report["facets_across_seams"]
-        if verb == "transfer":
+        if name == "transfer":
             row["kept"] = len(set(before.points).intersection(after.points))
             row["changed"] = len(set(before.points)) - row["kept"]
         else:
-            row["kept"], row["changed"] = compare_points(model, before, after, verb == "cut")
+            row["kept"], row["changed"] = compare_points(model, before, after, name == "cut")
         return row, after
 
     def true_distance(self, original, result, error):
@@ -244,9 +245,9 @@ class Measurement:
             return
         if row["changed"] > 0:
             faults.append("points or values that did not move have changed")
-        if row["verb"] == "cut" and row["across"] + row["crossing"] > 0:
+        if row["command"] == "cut" and row["across"] + row["crossing"] > 0:
             faults.append("a seam is crossed")
-        keeps_tolerance = row["verb"] in ("simplify", "cut")
+        keeps_tolerance = row["command"] in ("simplify", "cut")
         if keeps_tolerance and row["distance"] > TOLERANCE:
             faults.append("the printed distance exceeds the tolerance")
         found = row["true"] = row["true"].result() if "true" in row else None
@@ -271,12 +272,12 @@ def cell(value, width, digits=2):
     return (str(value) if isinstance(value, (int, str)) else f"{value:.{digits}f}").rjust(width)
 
 
-HEAD = "file               verb      facets  distance    true  median     max   label   across      kept changed  time"
+HEAD = "file               command   facets  distance    true  median     max   label   across      kept changed  time"
 
 
 def print_rows(rows):
     for row in rows:
-        line = f"{row['file']:<18} {row['verb']:<8}"
+        line = f"{row['file']:<18} {row['name']:<8}"
         if "facets" not in row:
             print(line, f"exit code {row['report']['exit_code']}: {row['report'].get('error', '')}", flush=True)
             continue
@@ -293,12 +294,12 @@ def print_summary(rows):
         return f"{statistics.median(values):7.2f} {max(values):7.2f}" if values else f"{'-':>7} {'-':>7}"
 
     print("\nmedian and maximum over the files:")
-    print("verb     results  distance         median error     max error        label            time")
-    for verb in dict.fromkeys(row["verb"] for row in rows):
-        every = [row for row in rows if row["verb"] == verb]
+    print("command  results  distance         median error     max error        label            time")
+    for name in dict.fromkeys(row["command"] for row in rows):
+        every = [row for row in rows if row["command"] == name]
         done = [row for row in every if "facets" in row]
         errors = [e for e in map(worst_errors, done) if e]
-        print(f"{verb:<9}{len(done):>2} of {len(every):<2}", of(row["distance"] for row in done), of(e["median"] for e in errors),
+        print(f"{name:<9}{len(done):>2} of {len(every):<2}", of(row["distance"] for row in done), of(e["median"] for e in errors),
               of(e["max"] for e in errors), of(row.get("wrong_area") for row in done), of(row.get("time") for row in done), sep="  ")
 
 

@@ -30,6 +30,7 @@ tool() { echo "bspline_shell $*"; "$build/bspline_shell" "$@"; }
 elephant=$build/data/meshes/elephant.off
 tool shell "$elephant" -o "$data/thick" --thickness 4%
 tool simplify "$elephant" -o "$data/colored_simplified.ply" --shell "$data/colored"
+tool simplify "$elephant" -o "$data/viewed.ply" --facets 800 --view "$data/page.html"
 /usr/bin/python3 examples/Bspline_shell_3/paint_meshes.py "$data/colored"
 tool transfer "$data"/colored_{painted,subdivided}.ply -o "$data/colored_detail.ply"
 (cd "$data" && "$build/heat_geodesics" "$build/data/meshes/rotor.off" 100 1)
@@ -61,3 +62,4 @@ echo cut_off.off >>"$data/data_set.txt"
 bash examples/data_set.sh "$data/data_set.txt" results="$data/data_set" time_limit=120 batch=3
 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1300,1560 \
          --screenshot="$fig/data_set.png" "file://$PWD/$data/data_set/index.html"
+/usr/bin/python3 "$here/draw_page.py" "$data/page.html" "$fig/page.png"

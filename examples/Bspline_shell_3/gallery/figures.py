@@ -41,7 +41,8 @@ def make_simplification(making):
     meshes = [MESHES / f"{name}.off" for name in names]
     found = [json.loads(line) for line in making.run("simplify_benchmark", *meshes).splitlines()]
     for name, mesh in zip(names, meshes):
-        making.run("bspline_shell", "simplify", mesh, "-o", making.folder / f"{name}_simplified.ply", "--shell", making.folder / name)
+        making.run("bspline_shell", "simplify", mesh, "-o", making.folder / f"{name}_simplified.ply", "--shell", making.folder / name,
+                   "--view", making.folder / f"{name}.html")
         making.script(HERE.parent / "paint_meshes.py", making.folder / name)
         making.run("bspline_shell", "transfer", *(making.folder / f"{name}_{part}.ply" for part in ("painted", "subdivided")),
                    "-o", making.folder / f"{name}_detail.ply")
@@ -63,7 +64,8 @@ def make_simplification(making):
          ("Hausdorff distance, relative to the box size: plain → in the shell", NOT_GIVEN,
           lines(lambda mesh, plain, ours: f"{percent(100 * plain['hausdorff'])} → {percent(100 * ours['hausdorff'])}")),
          ("Time in seconds: plain → in the shell, with the proof", NOT_GIVEN,
-          lines(lambda mesh, plain, ours: f"{plain['seconds']:.2g} → {ours['seconds']['total']:.2g}"))])
+          lines(lambda mesh, plain, ours: f"{plain['seconds']:.2g} → {ours['seconds']['total']:.2g}"))],
+        [(f"{name}.html", f"{name} and its map") for name in names])
 
 
 def make_geodesics(making):

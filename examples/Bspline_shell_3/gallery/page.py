@@ -41,7 +41,8 @@ def pictures(figure, results):
         path = f"{figure.name}/{file}"
         shown.append(f"""<figure><a href="{path}"><img src="{path}" alt="{escape(caption)}"></a>
 <figcaption>{escape(caption)}</figcaption></figure>""")
-    return "<div class=\"pictures\">\n" + "\n".join(shown) + "\n</div>"
+    pages = ", ".join(f'<a href="{figure.name}/{file}">{escape(text)}</a>' for file, text in results.get("pages", ()))
+    return "<div class=\"pictures\">\n" + "\n".join(shown) + "\n</div>" + (f"\n<p>In the browser: {pages}</p>" if pages else "")
 
 
 def table(results):

@@ -5,8 +5,8 @@ from collections import namedtuple
 from making import Failure
 
 # `headline`: (number, description). `pictures`: (file, caption). `rows` of the table: (quantity, value in the paper,
-# lines with our results).
-Results = namedtuple("Results", "headline pictures rows")
+# lines with our results). `pages` to turn the meshes in a browser: (file, text).
+Results = namedtuple("Results", "headline pictures rows pages", defaults=((),))
 
 NOT_GIVEN = "not given"
 

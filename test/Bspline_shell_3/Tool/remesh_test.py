@@ -13,7 +13,7 @@ import tempfile
 from mesh_files import as_obj, as_ply, centroid, read, read_obj, read_ply, sphere, write
 
 program, meshes = sys.argv[1:]
-WRONG_INPUT, WRONG_USAGE = 1, 2
+WRONG_INPUT, WRONG_USAGE, NOT_CERTIFIED = 1, 2, 4
 
 
 def run(*arguments):
@@ -137,6 +137,14 @@ with tempfile.TemporaryDirectory() as folder:
     assert report["certification"] == "certified except for excised triangles", report
     found, facets = mesh_of(path("stray_out.ply"))
     assert [t for t in facets if sorted(found[v] for v in t) == sorted(stray)], report
+
+    # A tolerance leaves shorter edges where the surface is curved.
+    loose, tight = (result(path("in.ply"), "-o", path("tight.ply"), "--edge", "0.5", *tolerance)
+                    for tolerance in ((), ("--tolerance", "0.5%")))
+    distance = lambda report: max(report["distance_to_result"], report["distance_to_input"])
+    assert distance(tight) <= 0.01 < distance(loose) and tight["facets"] > 1.5 * loose["facets"], (loose, tight)
+    done = run(path("in.ply"), "-o", path("x.ply"), "--edge", "0.5", "--tolerance", "1e-9")
+    assert done.returncode == NOT_CERTIFIED and "tolerance" in done.stderr, done
 
     # manners
     done = run("--help")

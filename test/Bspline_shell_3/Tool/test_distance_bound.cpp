@@ -1,15 +1,18 @@
 #include "test_meshes.h"
 
-#include <Verbs/distance_bound.h>
+#include <Commands/distance_bound.h>
 
 #include <CGAL/Polygon_mesh_processing/distance.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/tags.h>
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <set>
+#include <vector>
 
 namespace test_distance_bound {
 
@@ -83,6 +86,33 @@ TEST_CASE("distance_bounds: equal surfaces with other facets have the distance z
   }
   const double resolution = 1e-3;
   CHECK(Tool::distance_bounds(whole, cut, resolution, infinity).largest() <= 1.01 * resolution);
+}
+
+TEST_CASE("distance_bounds: a hole in one of two equal surfaces is found, however small it is")
+{
+  Mesh whole, grid;
+  const auto w = [&](double x, double y) { return whole.add_vertex(Point_3(x, y, 0)); };
+  const auto a = w(0, 0), b = w(1, 0), c = w(0, 1);
+  whole.add_face(a, b, c);
+  constexpr std::size_t n = 32;
+  std::vector<Mesh::Vertex_index> v;
+  for(std::size_t j = 0; j <= n; ++j)
+    for(std::size_t i = 0; i <= n; ++i) v.push_back(grid.add_vertex(Point_3(double(i) / n, double(j) / n, 0)));
+  for(std::size_t j = 0; j < n; ++j)
+    for(std::size_t i = 0; i < n; ++i) {
+      const std::size_t k = j * (n + 1) + i;
+      grid.add_face(v[k], v[k + 1], v[k + n + 2]);
+      grid.add_face(v[k], v[k + n + 2], v[k + n + 1]);
+    }
+  CHECK(Tool::distance_bounds(whole, grid, 1e-3, infinity).to_second <= 1.01e-3);
+
+  // The largest distance is that of the center of the inscribed circle of the missing facet.
+  const Mesh::Face_index missing(300);
+  CGAL::Euler::remove_face(grid.halfedge(missing), grid);
+  const double distance = (1 - std::sqrt(0.5)) / n;
+  const Tool::Distance_bounds bounds = Tool::distance_bounds(whole, grid, 1e-3, infinity);
+  CHECK(bounds.to_second >= distance);
+  CHECK(bounds.to_second <= 1.02 * distance);
 }
 
 TEST_CASE("distance_bounds: bounds are not less than CGAL's Hausdorff distance, and close to it")

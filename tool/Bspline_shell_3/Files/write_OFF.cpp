@@ -41,7 +41,7 @@ void write_OFF(const Model& model, const std::string& file, Written_files& writt
       written.hold(a);
     } else written.leave_out(a, "an OFF file");
   }
-  if(model.has_materials()) written.warnings.push_back("The material library is left out: an OFF file cannot hold it.");
+  written.leave_out_materials(model, "an OFF file");
 
   std::string text = texture != nullptr ? "ST" : "";
   if(colors != nullptr) text += "C";

@@ -99,7 +99,7 @@ void write_STL(const Model& model, const std::string& file, Written_files& writt
       written.hold(a);
     } else if(a.kind != Kind::NORMAL) written.leave_out(a, is_binary ? "a binary STL file" : "an STL file of text");
   }
-  if(model.has_materials()) written.warnings.push_back("The material library is left out: an STL file cannot hold it.");
+  written.leave_out_materials(model, "an STL file");
   if(!are_floats && model.encoding == "binary")
     written.warnings.push_back("The file is written as text, because its coordinates have more digits than binary STL "
                                "files can hold.");

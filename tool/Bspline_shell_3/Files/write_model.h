@@ -4,6 +4,7 @@
 
 #include "File_status.h"
 #include "Model.h"
+#include "materials_of.h"
 
 #include <string>
 #include <utility>
@@ -24,6 +25,11 @@ struct Written_files
   void leave_out(const Attribute& a, const std::string& format)
   {
     warnings.push_back("The attribute \"" + a.name + "\" is left out: " + format + " cannot hold it.");
+  }
+  void leave_out_materials(const Model& model, const std::string& format)
+  {
+    if(!materials_of(model)->materials.empty())
+      warnings.push_back("Materials and textures are left out: " + format + " cannot hold them.");
   }
 };
 

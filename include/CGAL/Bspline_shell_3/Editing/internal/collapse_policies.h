@@ -183,7 +183,7 @@ public:
   {
     const auto allowed = m_rules->allowed_places(profile);
     Place placement;
-    if(allowed.are_all) placement = m_policy->placement(profile);
+    if(allowed.are_all) placement = snapped(profile, m_policy->placement(profile));
     else if(!allowed.places.empty()) placement = cheapest(profile, allowed.places);
     else placement = profile.p0();
     if(!m_state->is_waiting) return placement;
@@ -230,6 +230,18 @@ public:
   }
 
 private:
+  // Returns an end of the edge if the placement differs from it only by the rounding of the policy's linear system, so
+  // that a vertex that does not move keeps its coordinates.
+  static Place snapped(const Profile& profile, const Place& placement)
+  {
+    constexpr double rounding = 1e-8; // relative to the length of the edge
+    if(!placement) return placement;
+    const auto near = rounding * rounding * CGAL::squared_distance(profile.p0(), profile.p1());
+    for(const Point& p : { profile.p0(), profile.p1() })
+      if(CGAL::squared_distance(*placement, p) <= near) return p;
+    return placement;
+  }
+
   Place cheapest(const Profile& profile, const std::vector<Point>& places) const
   {
     Place best;
