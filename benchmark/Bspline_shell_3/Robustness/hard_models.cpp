@@ -82,7 +82,8 @@ bool make_singular(Mesh& mesh, Mesh::Vertex_index v)
     mesh.point(v) = middle + across * out + lift * std::sqrt(out.squared_length()) * normal;
     const auto margin = [&](Mesh::Vertex_index w) { return BS::vertex_cone_margin(mesh, w); };
     constexpr double regular = 0.1;
-    bool is_good = !BS::vertex_cone(mesh, v);
+    constexpr double rounding = 1e-9; // of a margin that is zero
+    bool is_good = margin(v) < rounding;
     for(auto w : mesh.vertices_around_target(mesh.halfedge(v))) is_good = is_good && margin(w) > regular;
     if(is_good && !PMP::does_self_intersect(nearby, mesh)) return true;
   }
@@ -90,13 +91,14 @@ bool make_singular(Mesh& mesh, Mesh::Vertex_index v)
   return false;
 }
 
-void write_tips(const Mesh& mesh, std::size_t tips, const std::string& file)
+// Makes more and more vertices singular, and writes the mesh when there are 1, 5, 20, and 50.
+void write_tips(const Mesh& mesh, const std::string& prefix)
 {
   Mesh result = mesh;
   std::set<Mesh::Vertex_index> taken; // vertices near tips
   std::size_t made = 0;
-  constexpr std::size_t stride = 7919; // a prime, which scatters the tips over the mesh
-  for(std::size_t n = 0; n < result.number_of_vertices() && made < tips; ++n) {
+  constexpr std::size_t stride = 7919, most = 50; // a prime, which scatters the tips over the mesh
+  for(std::size_t n = 0; n < result.number_of_vertices() && made < most; ++n) {
     const Mesh::Vertex_index v(Mesh::size_type(n * stride % result.number_of_vertices()));
     std::vector<Mesh::Vertex_index> ring = { v };
     for(auto w : result.vertices_around_target(result.halfedge(v)))
@@ -105,8 +107,9 @@ void write_tips(const Mesh& mesh, std::size_t tips, const std::string& file)
     if(!make_singular(result, v)) continue;
     taken.insert(ring.begin(), ring.end());
     ++made;
+    for(std::size_t tips : { 1, 5, 20, 50 })
+      if(made == tips) write(result, prefix + std::to_string(tips) + ".off");
   }
-  if(made == tips && !PMP::does_self_intersect(result)) write(result, file);
 }
 
 // A ball with bumps, with a radius from the given one to 1.2 times that.
@@ -188,7 +191,7 @@ int main(int argc, char** argv)
     Mesh mesh;
     if(BS::read_triangle_mesh(file, mesh) != BS::Shell_status::SUCCESS || !CGAL::is_closed(mesh)) continue;
     for(std::size_t facets : { 300, 1000 }) write_low_poly(mesh, facets, name + "_" + std::to_string(facets) + ".off");
-    for(std::size_t tips : { 1, 5, 20, 50 }) write_tips(mesh, tips, name + "_tips_" + std::to_string(tips) + ".off");
+    write_tips(mesh, name + "_tips_");
   }
   for(const auto& [percent, text] :
       { std::pair(3., "3"), std::pair(1., "1"), std::pair(0.5, "0.5"), std::pair(0.3, "0.3") })

@@ -1,6 +1,7 @@
 // Splines on cells of different sizes are compared with their definition in exact arithmetic, with polynomials, and
 // with themselves on other cells.
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/is_same_in_cell.h>
 #include "exact_spline.h"
 #include "random_hierarchies.h"
 
@@ -756,4 +757,28 @@ TEST_CASE("Hierarchical field: setting coefficients in parallel yields the same 
   CHECK(Field().number_of_cells() == 0);
   CHECK(Field().number_of_coefficients() == 0);
 }
+
+TEST_CASE("Hierarchical field: changing a few coefficients yields the same leaves as setting all of them, bit for bit")
+{
+  CGAL::Random random(19);
+  const Hierarchy cells = some_cells_of_three_sizes(random);
+  Field field(cells);
+  field.set_coefficients(random_vector(random, field.number_of_coefficients()));
+  for(std::size_t changed : { std::size_t(0), std::size_t(1), std::size_t(20), field.number_of_coefficients() - 1 })
+    for(int repetition = 0; repetition < 20; ++repetition) {
+      Eigen::VectorXd x = field.coefficients();
+      for(std::size_t n = 0; n < changed; ++n)
+        x[random.get_int(0, int(x.size()))] = random.get_double(-1, 1) * (n == 0 ? 1e6 : 1);
+      Field expected(cells);
+      expected.set_coefficients(x);
+      const Field found = field.with_coefficients<CGAL::Parallel_if_available_tag>(x);
+      CHECK(found.has_cells_of(field));
+      CHECK(!found.has_cells_of(expected));
+      CHECK((found.coefficients() == x));
+      std::size_t different = 0;
+      for(Index c = 0; c < field.number_of_cells(); ++c) different += !BS::is_same_in_cell(found, c, expected, c);
+      CHECK(different == 0);
+    }
+}
+
 } // namespace test_Hierarchical_bspline_field_3

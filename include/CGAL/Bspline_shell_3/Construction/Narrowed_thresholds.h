@@ -114,8 +114,11 @@ public:
     if(!m_is_constant) m_thresholds->set_mesh_ranges(ranges(is_sharp ? Mesh_ranges::SHARP : Mesh_ranges::SUFFICIENT));
     std::size_t unresolved_before = std::numeric_limits<std::size_t>::max();
     for(int pass = 0;; ++pass) {
-      m_inner = std::make_unique<Threshold>(m_thresholds->template threshold<ConcurrencyTag>(NEGATIVE));
-      m_outer = std::make_unique<Threshold>(m_thresholds->template threshold<ConcurrencyTag>(POSITIVE));
+      const bool are_similar = m_examined && m_examined->inner.field().has_cells_of(*m_field);
+      const Field &inner = are_similar ? m_examined->inner.field() : *m_field,
+                  &outer = are_similar ? m_examined->outer.field() : *m_field;
+      m_inner = std::make_unique<Threshold>(m_thresholds->template threshold<ConcurrencyTag>(NEGATIVE, inner));
+      m_outer = std::make_unique<Threshold>(m_thresholds->template threshold<ConcurrencyTag>(POSITIVE, outer));
       Cover cover = covered<ConcurrencyTag>();
       std::vector<Threshold_obstacle> obstacles;
       const std::map<Cell_and_side, Nearest> nearest = nearest_in_the_way(cover, obstacles);

@@ -160,12 +160,13 @@ public:
   const std::vector<Cap>& caps() const { return m_caps; }
 
   /// returns the inner (`NEGATIVE`) or the outer (`POSITIVE`) threshold
+  /// \param similar a function on the cells of the field, of which the parts that are equal are copied
   template <typename ConcurrencyTag>
-  Field threshold(Sign side) const
+  Field threshold(Sign side, const Field& similar) const
   {
     Eigen::VectorXd x = m_needed[number(side)].cwiseMax(m_cap[number(side)]);
     if(side == NEGATIVE) x = -x;
-    return m_field->template with_coefficients<ConcurrencyTag>(std::move(x));
+    return similar.template with_coefficients<ConcurrencyTag>(std::move(x));
   }
 
 private:

@@ -83,16 +83,25 @@ public:
   }
 
   /// returns another function on the same cells, with the free coefficients `x`. Like copies, the two fields share the
-  /// cells.
+  /// cells. Where few coefficients differ from those of this function, the function in other cells is copied.
   /// \pre `x.size() == number_of_coefficients()`
   template <typename ConcurrencyTag = Sequential_tag>
   Hierarchical_bspline_field_3 with_coefficients(Eigen::VectorXd x) const
   {
+    CGAL_precondition(std::size_t(x.size()) == number_of_coefficients());
+    constexpr Eigen::Index many = 8; // If 1/8 of the coefficients differ, all cells are converted.
     Hierarchical_bspline_field_3 other;
     other.m_basis = m_basis;
-    other.template set_coefficients<ConcurrencyTag>(std::move(x));
+    std::vector<Cell_index> different;
+    for(Eigen::Index n = 0; n < x.size(); ++n)
+      if(!(x[n] == m_coefficients[n])) different.push_back(Cell_index(n));
+    if(many * Eigen::Index(different.size()) > x.size()) other.template set_coefficients<ConcurrencyTag>(std::move(x));
+    else other.template copy_with_coefficients<ConcurrencyTag>(*this, std::move(x), different);
     return other;
   }
+
+  /// returns whether this function and another one share their cells
+  bool has_cells_of(const Hierarchical_bspline_field_3& other) const { return m_basis == other.m_basis; }
 
   /// \name Leaf cells
   /// @{
@@ -292,25 +301,65 @@ public:
   {
     CGAL_precondition(std::size_t(x.size()) == number_of_coefficients());
     m_coefficients = std::move(x);
-    // The absolute value of each coefficient, or of the largest free coefficient on which it depends if that is larger.
-    const Eigen::VectorXd all = extend<ConcurrencyTag>(m_coefficients);
-    Eigen::VectorXd largest = all.cwiseAbs();
-    for_each_point<ConcurrencyTag>([&](int l, Cell_index n, Cell_index point) {
-      if(m_basis->coefficient_of_point[point] == npos)
-        visit_parents(l, points(l).point(n), [&](Cell_index parent, double) {
-          largest[point] = (std::max)(largest[point], std::abs(m_coefficients[parent]));
-        });
-    });
-    double* bernstein = new double[64 * number_of_cells()]; // uninitialized, because threads write all of it
-    m_bernstein.reset(bernstein);
-    m_error_radius.resize(number_of_cells());
-    internal::for_each_chunk<ConcurrencyTag>(number_of_cells(), 256, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t c = begin; c < end; ++c) convert_to_bernstein(Cell_index(c), all, largest, bernstein + 64 * c);
+    std::vector<Point_coefficient> all(number_of_points());
+    for_each_point<ConcurrencyTag>([&](int l, Cell_index, Cell_index point) { all[point] = coefficient_at(l, point); });
+    set_forms<ConcurrencyTag>([&](Cell_index c, double* form) {
+      convert_to_bernstein(c, form, [&](int, Cell_index point) { return all[point]; });
     });
   }
   /// @}
 
 private:
+  // The coefficient at a point, and its absolute value, or that of the largest free coefficient on which it depends if
+  // that is larger.
+  struct Point_coefficient
+  {
+    double value, largest;
+  };
+
+  Point_coefficient coefficient_at(int level, Cell_index point) const
+  {
+    const Cell_index free = m_basis->coefficient_of_point[point];
+    if(free != npos) return { m_coefficients[free], std::abs(m_coefficients[free]) };
+    double sum = 0, largest = 0;
+    visit_parents(level, points(level).point(point - first_point(level)), [&](Cell_index parent, double weight) {
+      sum += weight * m_coefficients[parent];
+      largest = (std::max)(largest, std::abs(m_coefficients[parent]));
+    });
+    return { sum, (std::max)(std::abs(sum), largest) };
+  }
+
+  // Calls set(cell, coefficients) for all cells, which must write the 64 Bernstein coefficients, and the error radius.
+  template <typename ConcurrencyTag, typename Function>
+  void set_forms(const Function& set)
+  {
+    constexpr std::size_t chunk = 256;
+    double* bernstein = new double[64 * number_of_cells()]; // uninitialized, because threads write all of it
+    m_bernstein.reset(bernstein);
+    m_error_radius.resize(number_of_cells());
+    internal::for_each_chunk<ConcurrencyTag>(number_of_cells(), chunk, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t c = begin; c < end; ++c) set(Cell_index(c), bernstein + 64 * c);
+    });
+  }
+
+  // Sets all free coefficients, of which some differ from those of another function on the same cells.
+  template <typename ConcurrencyTag>
+  void copy_with_coefficients(const Hierarchical_bspline_field_3& other, Eigen::VectorXd x,
+                              const std::vector<Cell_index>& different)
+  {
+    m_coefficients = std::move(x);
+    std::vector<char> is_different(number_of_cells(), 0);
+    for(Cell_index n : different) visit_cells(support(n), [&](Cell_index c) { is_different[c] = 1; });
+    set_forms<ConcurrencyTag>([&](Cell_index c, double* form) {
+      if(is_different[c]) {
+        convert_to_bernstein(c, form, [&](int level, Cell_index point) { return coefficient_at(level, point); });
+      } else {
+        std::copy_n(&other.m_bernstein[64 * std::size_t(c)], 64, form);
+        m_error_radius[c] = other.m_error_radius[c];
+      }
+    });
+  }
+
   // Calls f(level, index in the level, index) for all points.
   template <typename ConcurrencyTag, typename Function>
   void for_each_point(const Function& f) const
@@ -379,16 +428,20 @@ private:
     std::vector<Cell_index> coefficient_of_point, point_of_coefficient;
   };
 
-  void convert_to_bernstein(Cell_index c, const Eigen::VectorXd& all, const Eigen::VectorXd& largest_at, double* b)
+  // Writes the form of a cell; `at(level, point)` returns the coefficient at a point.
+  template <typename Coefficients>
+  void convert_to_bernstein(Cell_index c, double* b, const Coefficients& at)
   {
     const std::array<Cell_index, 16> rows = coefficient_rows(c);
+    const int level = cells().level(c);
     double largest = 0;
     bool is_free = true, finite = true;
     for(int n = 0; n < 64; ++n) {
       const Cell_index point = rows[n / 4] + n % 4;
-      b[n] = all[point];
+      const Point_coefficient coefficient = at(level, point);
+      b[n] = coefficient.value;
       finite = finite && std::isfinite(b[n]);
-      largest = (std::max)(largest, largest_at[point]);
+      largest = (std::max)(largest, coefficient.largest);
       is_free = is_free && m_basis->coefficient_of_point[point] != npos;
     }
     // Constant coefficients need no conversion: thresholds are constant in most cells.
