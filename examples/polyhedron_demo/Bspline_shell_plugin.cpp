@@ -115,7 +115,7 @@ private:
   template <typename Item>
   QString project(const Item& item, const Mesh_item& target);
   Mesh_item* add_mesh(SMesh mesh, const QString& name, const QColor& color);
-  void add_places(const std::vector<Point_3>& places, const QString& name);
+  QString add_places(const std::vector<Point_3>& places, const QString& name);
 
   QList<QAction*> m_actions;
   QAction *m_project = nullptr, *m_carry = nullptr;
@@ -257,16 +257,18 @@ Mesh_item* Bspline_shell_plugin::add_mesh(SMesh mesh, const QString& name, const
   return item;
 }
 
-void Bspline_shell_plugin::add_places(const std::vector<Point_3>& places, const QString& name)
+// Returns a sentence about the places; empty if there are none.
+QString Bspline_shell_plugin::add_places(const std::vector<Point_3>& places, const QString& name)
 {
-  if(places.empty()) return;
+  if(places.empty()) return {};
   constexpr int pixels = 10;
   Points_item* item = new Points_item;
   for(const Point_3& place : places) item->point_set()->insert(place);
-  item->setName(QString("%1: %2 places").arg(name).arg(places.size()));
+  item->setName(name);
   item->setColor(Qt::red);
   item->setPointSize(pixels);
   scene->addItem(item);
+  return QString(" Red points mark %1 places.").arg(places.size());
 }
 
 QString Bspline_shell_plugin::build_shell(int number, double thickness, double time_limit)
@@ -286,8 +288,8 @@ QString Bspline_shell_plugin::build_shell(int number, double thickness, double t
     BS::extract_shell_surface<CGAL::Parallel_if_available_tag>(shell, shell.outer_threshold(), outer);
   };
   if(!run_with_dialog(mw, "Building a shell of " + name, build)) return canceled(name);
-  add_places(places_of(shell.report(), mesh), name + " without a proof");
-  if(!shell) return name + ": " + description(shell);
+  const QString marks = add_places(places_of(shell.report(), mesh), name + ", without a proof");
+  if(!shell) return name + ": " + description(shell) + marks;
 
   set_shell(item, std::make_shared<const Shell>(shell));
   auto* group = new CGAL::Three::Scene_group_item(
@@ -303,7 +305,7 @@ QString Bspline_shell_plugin::build_shell(int number, double thickness, double t
   add_surface(inner, "inner surface", Qt::blue);
   add_surface(outer, "outer surface", Qt::red);
   scene->setSelectedItem(number);
-  if(!shell.is_certified()) return name + ": " + description(shell);
+  if(!shell.is_certified()) return name + ": " + description(shell) + marks;
   const BS::Shell_report& report = shell.report();
   Three::information(QString("%1: %2 The thickness is %3, and less on %4 % of the area. (%5 cells, %6 s)")
                        .arg(name, shell.message().c_str())
@@ -327,8 +329,8 @@ QString Bspline_shell_plugin::edit(int number, const char* edited, const Edit& e
   if(!run_with_dialog(mw, "Editing " + item->name(), [&](Progress& p) { report = edit(mesh, *shell, p); }))
     return canceled(item->name());
   if(!report) {
-    add_places(places_of(report, mesh), item->name() + " not in its shell");
-    return item->name() + ": " + QString::fromStdString(report.message());
+    const QString marks = add_places(places_of(report, mesh), item->name() + ", not edited");
+    return item->name() + ": " + report.message().c_str() + marks;
   }
   mesh.collect_garbage();
   const QString result_name = QString("%1, %2 (%3 facets)").arg(item->name(), edited).arg(report.facets);
@@ -384,10 +386,11 @@ QString Bspline_shell_plugin::project(const Item& item, const Mesh_item& target)
   result->setName(item.name() + " on " + target.name());
   result->setColor(item.color());
   scene->addItem(result);
-  add_places(missed, item.name() + " without an image");
+  const QString marks = add_places(missed, item.name() + ", without an image");
   const QString count =
     QString("%1 of %2 points are on %3.").arg(points.size() - missed.size()).arg(points.size()).arg(target.name());
-  if(!missed.empty()) return QString("%1: %2 The others are not moved: %3").arg(item.name(), count, message(reason));
+  if(!missed.empty())
+    return QString("%1: %2 The others are not moved: %3").arg(item.name(), count, message(reason)) + marks;
   Three::information(item.name() + ": " + count);
   return {};
 }
