@@ -297,6 +297,7 @@ QString Bspline_shell_plugin::build_shell(int number, double thickness, double t
   scene->addItem(group);
   const auto add_surface = [&](SMesh& surface, const char* surface_name, const QColor& color) {
     constexpr int alpha = 80; // of 255, so that the mesh is visible
+    if(surface.is_empty()) return Three::warning(QString("%1: the %2 could not be extracted.").arg(name, surface_name));
     Mesh_item* surface_item = add_mesh(std::move(surface), surface_name, color);
     surface_item->setRenderingMode(Flat);
     surface_item->setAlpha(alpha);

@@ -6,6 +6,7 @@ Usage: polyhedron_demo_test.py DEMO MESHES [FOLDER]     (MESHES: the folder of C
 """
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -58,14 +59,18 @@ report("late", shells.build_shell(0, 0.01, 1e-3))
 remove_all()
 
 for(var i = 0; i < BAD.length; ++i) {
-  open(BAD[i][0], BAD[i][1])
+  open(BAD[i], "ply_plugin")
   report("bad", [shells.build_shell(0, 1, 60), shells.simplify(0, 0, 60), shells.remesh(0, 0.1, 60), names()])
   remove_all()
 }
 main_window.close()
 """
-BAD = [("self_intersecting.ply", "intersects itself"), ("quads.ply", ""), ("sheet.ply", ""),
-       ("inverted.ply", "do not bound one volume")]
+NO_SHELL = "has no shell"
+# files, parts of the outcomes of building, simplifying, and remeshing, and whether places are marked
+BAD = [("self_intersecting.ply", "intersects itself", NO_SHELL, NO_SHELL, True),
+       ("inside_out.ply", "do not bound one volume", NO_SHELL, NO_SHELL, True),
+       ("quads.ply", "", "not triangles", "not triangles", False),
+       ("sheet.ply", "", "", "", False)]
 
 
 def skip(reason):
@@ -100,18 +105,44 @@ with tempfile.TemporaryDirectory() as home:
     mesh("quads.ply", corners, [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)])
     mesh("sheet.ply", [(x, y, 0) for x in range(3) for y in range(3)],
          [t for i in range(2) for j in range(2) for t in ((3 * i + j, 3 * i + j + 3, 3 * i + j + 4), (3 * i + j, 3 * i + j + 4, 3 * i + j + 1))])
-    mesh("inverted.ply", points + [(x / 2, y / 2, z / 2) for x, y, z in points],
+    mesh("inside_out.ply", points + [(x / 2, y / 2, z / 2) for x, y, z in points],
          triangles + [[v + len(points) for v in t] for t in triangles])
-    here = {"SPHERE": "sphere.ply", "POINTS": "points.ply", "FOLDER": str(folder), "BAD": [(name, "ply_plugin") for name, _ in BAD]}
+    here = {"SPHERE": "sphere.ply", "POINTS": "points.ply", "FOLDER": str(folder), "BAD": [name for name, *_ in BAD]}
     script = "".join(f"var {name} = {json.dumps(value)}\n" for name, value in here.items()) + SCRIPT
     Path("script.js").write_text(script, encoding="utf-8")
     environment = {**os.environ, "HOME": home, "XDG_CONFIG_HOME": home, "QT_QPA_PLATFORM": "xcb", "LIBGL_ALWAYS_SOFTWARE": "1"}
     done = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1280x900x24", demo.resolve(), "script.js"], env=environment,
                           capture_output=True, text=True, timeout=600, check=False)
-    lines = [line.split("REPORT ", 1)[1] for line in done.stdout.split("\n") if "REPORT " in line]
-    reports = [json.loads(line) for line in lines]
-    for name, value in reports:
-        print(name, value)
+    assert done.returncode == 0, (done.returncode, done.stdout, done.stderr)
+    reports = [json.loads(line.split("REPORT ", 1)[1]) for line in done.stdout.split("\n") if "REPORT " in line]
+    print(*reports, sep="\n")
     found = dict(reports)
-    assert done.returncode == 0, (done.returncode, done.stderr)
-    print(done.stderr)
+    for name in ("build", "simplify", "carry", "remesh", "project"):
+        assert found[name] == "", (name, found[name])
+    assert found["shell"] == ["sphere", "shell of sphere (certified)", "inner surface", "outer surface"], found["shell"]
+    kept, = re.fullmatch(r"sphere, simplified \((\d+) facets\)", found["simplified"]).groups()
+    assert 0 < int(kept) <= 300, kept
+    assert re.fullmatch(r"sphere, remeshed \(\d+ facets\)", found["remeshed"]), found["remeshed"]
+    assert found["projected"] == [f"{found['remeshed']} on {found['simplified']}"], found["projected"]
+
+    # Each failure has a reason, and its places are marked.
+    assert "has no shell" in found["no shell"]
+    assert "2 of 3 points are on sphere" in found["project points"] and "not in the shell" in found["project points"]
+    assert found["projected points"] == ["points on sphere", "points, without an image"]
+    assert "not a surface mesh" in found["not a mesh"]
+    assert "relative_thickness" in found["invalid"] and "time_limit" in found["late"]
+    outcomes = [value for name, value in reports if name == "bad"]
+    assert len(outcomes) == len(BAD)
+    for (name, built, simplified, remeshed, marked), outcome in zip(BAD, outcomes):
+        for expected, reason in zip((built, simplified, remeshed), outcome):
+            assert (expected in reason) if expected else reason == "", (name, expected, reason)
+        assert any("without a proof" in item for item in outcome[3]) == marked, (name, outcome[3])
+
+    # The pictures show the shell, and the colors above and below the equator.
+    def share(picture, is_counted):
+        _, _, rows = read_png(folder / picture)
+        return sum(is_counted(*color) for row in rows for color in row) / sum(map(len, rows))
+
+    assert share("shell.png", lambda r, g, b: r > b + 20) > 0.1
+    assert share("carried.png", lambda r, g, b: r > 100 and b < 30) > 0.03
+    assert share("carried.png", lambda r, g, b: b > 100 and r < 30) > 0.03
