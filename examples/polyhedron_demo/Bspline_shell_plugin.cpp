@@ -167,6 +167,7 @@ QString description(const Shell& shell)
 QDoubleSpinBox* add_time_limit(QMultipleInputDialog& dialog)
 {
   QDoubleSpinBox* limit = dialog.add<QDoubleSpinBox>("Time limit (seconds):");
+  limit->setDecimals(0);
   limit->setRange(0, 1e6);
   limit->setSpecialValueText("none");
   limit->setValue(60);
@@ -268,7 +269,7 @@ QString Bspline_shell_plugin::add_places(const std::vector<Point_3>& places, con
   item->setColor(Qt::red);
   item->setPointSize(pixels);
   scene->addItem(item);
-  return QString(" Red points mark %1 places.").arg(places.size());
+  return " Red points mark the places.";
 }
 
 QString Bspline_shell_plugin::build_shell(int number, double thickness, double time_limit)
@@ -288,12 +289,12 @@ QString Bspline_shell_plugin::build_shell(int number, double thickness, double t
     BS::extract_shell_surface<CGAL::Parallel_if_available_tag>(shell, shell.outer_threshold(), outer);
   };
   if(!run_with_dialog(mw, "Building a shell of " + name, build)) return canceled(name);
-  const QString marks = add_places(places_of(shell.report(), mesh), name + ", without a proof");
+  const QString marks = add_places(places_of(shell.report(), mesh), "places without proof: " + name);
   if(!shell) return name + ": " + description(shell) + marks;
 
   set_shell(item, std::make_shared<const Shell>(shell));
   auto* group = new CGAL::Three::Scene_group_item(
-    QString("shell of %1 (%2)").arg(name, shell.is_certified() ? "certified" : "not certified"));
+    QString("%1 shell of %2").arg(shell.is_certified() ? "certified" : "uncertified", name));
   scene->addItem(group);
   const auto add_surface = [&](SMesh& surface, const char* surface_name, const QColor& color) {
     constexpr int alpha = 80; // of 255, so that the mesh is visible
@@ -308,12 +309,11 @@ QString Bspline_shell_plugin::build_shell(int number, double thickness, double t
   scene->setSelectedItem(number);
   if(!shell.is_certified()) return name + ": " + description(shell) + marks;
   const BS::Shell_report& report = shell.report();
-  Three::information(QString("%1: %2 The thickness is %3, and less on %4 % of the area. (%5 cells, %6 s)")
-                       .arg(name, shell.message().c_str())
-                       .arg(shell.thickness())
-                       .arg(100 * report.narrowed_area, 0, 'g', 2)
-                       .arg(report.cells)
-                       .arg(report.total_seconds(), 0, 'g', 2));
+  QString text = QString("%1: the shell is certified. Its thickness is %2").arg(name).arg(shell.thickness());
+  if(report.narrowed_area > 0)
+    text += QString(", and less on %1 % of the area").arg(100 * report.narrowed_area, 0, 'g', 2);
+  Three::information(
+    QString("%1. (%2 cells, %3 s)").arg(text).arg(report.cells).arg(report.total_seconds(), 0, 'g', 2));
   return {};
 }
 
@@ -330,11 +330,11 @@ QString Bspline_shell_plugin::edit(int number, const char* edited, const Edit& e
   if(!run_with_dialog(mw, "Editing " + item->name(), [&](Progress& p) { report = edit(mesh, *shell, p); }))
     return canceled(item->name());
   if(!report) {
-    const QString marks = add_places(places_of(report, mesh), item->name() + ", not edited");
+    const QString marks = add_places(places_of(report, mesh), "rejected places: " + item->name());
     return item->name() + ": " + report.message().c_str() + marks;
   }
   mesh.collect_garbage();
-  const QString result_name = QString("%1, %2 (%3 facets)").arg(item->name(), edited).arg(report.facets);
+  const QString result_name = QString("%1 %2 (%3 facets)").arg(edited, item->name()).arg(report.facets);
   Mesh_item* result = add_mesh(std::move(mesh), result_name, item->color());
   set_shell(result, shell);
   item->setVisible(false);
@@ -384,10 +384,10 @@ QString Bspline_shell_plugin::project(const Item& item, const Mesh_item& target)
     }
   }
   Item* result = copy_with_points(item, points);
-  result->setName(item.name() + " on " + target.name());
+  result->setName("projected " + item.name());
   result->setColor(item.color());
   scene->addItem(result);
-  const QString marks = add_places(missed, item.name() + ", without an image");
+  const QString marks = add_places(missed, "no image: " + item.name());
   const QString count =
     QString("%1 of %2 points are on %3.").arg(points.size() - missed.size()).arg(points.size()).arg(target.name());
   if(!missed.empty())
@@ -469,6 +469,7 @@ void Bspline_shell_plugin::ask_and_simplify()
   QSpinBox* facets = dialog.add<QSpinBox>("Number of facets:");
   facets->setRange(0, int(item_of<Mesh_item>(number)->polyhedron()->number_of_faces()));
   facets->setSpecialValueText("as few as the shell permits");
+  facets->selectAll(); // Otherwise, a typed number is appended to this text.
   QDoubleSpinBox* limit = add_time_limit(dialog);
   if(dialog.exec() == QDialog::Accepted) show_failure(simplify(number, facets->value(), limit->value()));
 }

@@ -53,9 +53,10 @@ bool run_with_dialog(QWidget* window, const QString& title, const Compute& compu
   dialog.setWindowTitle("Cubic B-Spline Shell");
   dialog.setWindowModality(Qt::WindowModal);
   dialog.setAutoReset(false);
+  dialog.setMinimumWidth(400);
   QElapsedTimer timer;
   timer.start();
-  const std::future<void> end = std::async(std::launch::async, [&] { compute(progress); });
+  std::future<void> end = std::async(std::launch::async, [&] { compute(progress); });
   constexpr std::chrono::milliseconds between_updates(50); // short enough for animations
   while(end.wait_for(between_updates) != std::future_status::ready) {
     dialog.show(); // also after a click on "Cancel", until the computation notices it

@@ -5,10 +5,10 @@
 #include <CGAL/Bspline_shell_3/Editing/Edit_report.h>
 #include <CGAL/Bspline_shell_3/Shell/Shell_report.h>
 
-#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/centroid.h>
 
-#include <array>
+#include <cstddef>
 #include <vector>
 
 // Appends the centroids of the facets and the vertices, which have positions in `faces(mesh)` and `vertices(mesh)`.

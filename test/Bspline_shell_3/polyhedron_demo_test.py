@@ -1,76 +1,79 @@
-"""Runs the actions of the plugin in CGAL's Polyhedron demo, by a script of the demo, and checks items and pictures.
+"""Runs the actions of the plugin in CGAL's Polyhedron demo, by scripts of the demo, and checks items and pictures.
 
 Exits with 77 if the demo was not built by examples/polyhedron_demo.sh, or if Xvfb is missing.
 
-Usage: polyhedron_demo_test.py DEMO MESHES [FOLDER]     (MESHES: the folder of CGAL's meshes; FOLDER: for the pictures)
+Usage: polyhedron_demo_test.py DEMO [FOLDER]     (FOLDER: for screenshots)
 """
 import json
 import os
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).parent / "Tool"))
 from mesh_files import as_ply, sphere      # noqa: E402  (needs the path)
-from png_files import read_png             # noqa: E402
+from png_files import as_png               # noqa: E402
 
-demo, meshes = Path(sys.argv[1]), Path(sys.argv[2])
-SCRIPT = """
+demo = Path(sys.argv[1]).resolve()
+SECONDS = 300       # for a script, on a slow machine
+FUNCTIONS = """
 function report(name, value) { print("REPORT " + JSON.stringify([name, value])) }
 function names() {
   var all = []
   for(var i = 0; i < scene.numberOfEntries; ++i) all.push(scene.item(i).name)
   return all
 }
-function open(name, plugin) {
-  main_window.open(name, plugin)
+function open(name) {
+  main_window.open(name, "ply_plugin")
   return scene.numberOfEntries - 1
 }
-function remove_all() { while(scene.numberOfEntries > 0) scene.erase(0) }
 var shells = bspline_shell_plugin
-
-open(SPHERE, "ply_plugin")
+"""
+SHELL = """
+open("sphere.ply")
 report("no shell", shells.simplify(0, 100, 60))
 report("build", shells.build_shell(0, 4, 60))
 report("shell", names())
-viewer.showEntireScene()
-viewer.saveSnapshot(FOLDER + "/shell.png", 600, 600)
+"""
+EDITS = """
+open("sphere.ply")
+shells.build_shell(0, 4, 60)
 report("simplify", shells.simplify(0, 300, 60))
 var simplified = scene.numberOfEntries - 1
 report("simplified", names()[simplified])
 report("carry", shells.carry(0, simplified))
-for(var i = 0; i < simplified; ++i) scene.item(i).visible = false
-viewer.saveSnapshot(FOLDER + "/carried.png", 600, 600)
 report("remesh", shells.remesh(0, 0.3, 60))
 var remeshed = scene.numberOfEntries - 1
 report("remeshed", names()[remeshed])
 report("project", shells.project(remeshed, simplified))
 report("projected", names().slice(remeshed + 1))
-var cloud = open(POINTS, "ply_plugin")
+var cloud = open("points.ply")
 report("project points", shells.project(cloud, 0))
 report("projected points", names().slice(cloud + 1))
 report("not a mesh", shells.build_shell(cloud, 1, 60))
 report("invalid", shells.build_shell(0, 1000, 60))
 report("late", shells.build_shell(0, 0.01, 1e-3))
-remove_all()
-
-for(var i = 0; i < BAD.length; ++i) {
-  open(BAD[i], "ply_plugin")
-  report("bad", [shells.build_shell(0, 1, 60), shells.simplify(0, 0, 60), shells.remesh(0, 0.1, 60), names()])
-  remove_all()
+for(var i = 0; i < scene.numberOfEntries; ++i) scene.item(i).visible = i == simplified
+"""
+BAD = """
+for(var i = 0; i < FILES.length; ++i) {
+  open(FILES[i])
+  report(FILES[i], [shells.build_shell(0, 1, 60), shells.simplify(0, 0, 60), shells.remesh(0, 0.5, 60), names()])
+  while(scene.numberOfEntries > 0) scene.erase(0)
 }
-main_window.close()
 """
 NO_SHELL = "has no shell"
-# files, parts of the outcomes of building, simplifying, and remeshing, and whether places are marked
-BAD = [("self_intersecting.ply", "intersects itself", NO_SHELL, NO_SHELL, True),
-       ("inside_out.ply", "do not bound one volume", NO_SHELL, NO_SHELL, True),
-       ("quads.ply", "", "not triangles", "not triangles", False),
-       ("sheet.ply", "", "", "", False)]
+# parts of the outcomes of building, simplifying, and remeshing, and whether places are marked
+OUTCOMES = {"self_intersecting.ply": ("intersects itself", NO_SHELL, NO_SHELL, True),
+            "inside_out.ply": ("do not bound one volume", NO_SHELL, NO_SHELL, True),
+            "quads.ply": ("", "not triangles", "not triangles", False),
+            "sheet.ply": ("", "", "", False)}
 
 
 def skip(reason):
@@ -78,71 +81,125 @@ def skip(reason):
     sys.exit(77)
 
 
-def mesh(name, points, facets):
+def write_mesh(name, points, facets):
     """Writes a file of a mesh without properties."""
-    lines = ["ply", "format ascii 1.0", f"element vertex {len(points)}", "property double x", "property double y", "property double z",
+    lines = ["ply", "format ascii 1.0", f"element vertex {len(points)}", *(f"property double {c}" for c in "xyz"),
              f"element face {len(facets)}", "property list uchar int vertex_indices", "end_header"]
     lines += [" ".join(map(str, p)) for p in points] + [" ".join(map(str, [len(f), *f])) for f in facets]
     Path(name).write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
-if not demo.is_file():
-    skip(f"{demo} does not exist: build it with bash examples/polyhedron_demo.sh --build.")
-if not shutil.which("xvfb-run"):
-    skip("xvfb-run is missing: install xvfb and xauth.")
-with tempfile.TemporaryDirectory() as home:
-    folder = Path(sys.argv[3] if len(sys.argv) > 3 else home).resolve()
-    os.chdir(home)
+def write_meshes():
     points, triangles = sphere(20, 40)
-    red, blue = (lambda p: 255 if p[2] > 0 else 0), (lambda p: 0 if p[2] > 0 else 255)
+    red, blue = (lambda p: 255 if p[0] > 0 else 0), (lambda p: 0 if p[0] > 0 else 255)
     Path("sphere.ply").write_bytes(as_ply("ascii", points, triangles, [
         ("red", "uchar", red), ("green", "uchar", lambda p: 0), ("blue", "uchar", blue), ("height", "double", lambda p: p[2])], []))
-    far = [(1.01, 0, 0), (0, -0.99, 0), (3, 0, 0)]
-    mesh("points.ply", far, [])
-    shifted = [(x + 1.5, y, z) for x, y, z in points]
-    mesh("self_intersecting.ply", points + shifted, triangles + [[v + len(points) for v in t] for t in triangles])
+    write_mesh("points.ply", [(1.01, 0, 0), (0, -0.99, 0), (3, 0, 0)], [])
+    other = [[v + len(points) for v in t] for t in triangles]
+    write_mesh("self_intersecting.ply", points + [(x + 1.5, y, z) for x, y, z in points], triangles + other)
+    write_mesh("inside_out.ply", points + [(x / 2, y / 2, z / 2) for x, y, z in points], triangles + other)
     corners = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
-    mesh("quads.ply", corners, [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)])
-    mesh("sheet.ply", [(x, y, 0) for x in range(3) for y in range(3)],
-         [t for i in range(2) for j in range(2) for t in ((3 * i + j, 3 * i + j + 3, 3 * i + j + 4), (3 * i + j, 3 * i + j + 4, 3 * i + j + 1))])
-    mesh("inside_out.ply", points + [(x / 2, y / 2, z / 2) for x, y, z in points],
-         triangles + [[v + len(points) for v in t] for t in triangles])
-    here = {"SPHERE": "sphere.ply", "POINTS": "points.ply", "FOLDER": str(folder), "BAD": [name for name, *_ in BAD]}
-    script = "".join(f"var {name} = {json.dumps(value)}\n" for name, value in here.items()) + SCRIPT
-    Path("script.js").write_text(script, encoding="utf-8")
-    environment = {**os.environ, "HOME": home, "XDG_CONFIG_HOME": home, "QT_QPA_PLATFORM": "xcb", "LIBGL_ALWAYS_SOFTWARE": "1"}
-    done = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1280x900x24", demo.resolve(), "script.js"], env=environment,
-                          capture_output=True, text=True, timeout=600, check=False)
-    assert done.returncode == 0, (done.returncode, done.stdout, done.stderr)
-    reports = [json.loads(line.split("REPORT ", 1)[1]) for line in done.stdout.split("\n") if "REPORT " in line]
-    print(*reports, sep="\n")
-    found = dict(reports)
-    for name in ("build", "simplify", "carry", "remesh", "project"):
-        assert found[name] == "", (name, found[name])
-    assert found["shell"] == ["sphere", "shell of sphere (certified)", "inner surface", "outer surface"], found["shell"]
-    kept, = re.fullmatch(r"sphere, simplified \((\d+) facets\)", found["simplified"]).groups()
-    assert 0 < int(kept) <= 300, kept
-    assert re.fullmatch(r"sphere, remeshed \(\d+ facets\)", found["remeshed"]), found["remeshed"]
-    assert found["projected"] == [f"{found['remeshed']} on {found['simplified']}"], found["projected"]
+    write_mesh("quads.ply", corners, [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)])
+    write_mesh("sheet.ply", [(x, y, 0) for x in range(3) for y in range(3)],
+               [t for v in (0, 1, 3, 4) for t in ((v, v + 3, v + 4), (v, v + 4, v + 1))])
 
-    # Each failure has a reason, and its places are marked.
-    assert "has no shell" in found["no shell"]
-    assert "2 of 3 points are on sphere" in found["project points"] and "not in the shell" in found["project points"]
-    assert found["projected points"] == ["points on sphere", "points, without an image"]
-    assert "not a surface mesh" in found["not a mesh"]
-    assert "relative_thickness" in found["invalid"] and "time_limit" in found["late"]
-    outcomes = [value for name, value in reports if name == "bad"]
-    assert len(outcomes) == len(BAD)
-    for (name, built, simplified, remeshed, marked), outcome in zip(BAD, outcomes):
-        for expected, reason in zip((built, simplified, remeshed), outcome):
-            assert (expected in reason) if expected else reason == "", (name, expected, reason)
-        assert any("without a proof" in item for item in outcome[3]) == marked, (name, outcome[3])
 
-    # The pictures show the shell, and the colors above and below the equator.
-    def share(picture, is_counted):
-        _, _, rows = read_png(folder / picture)
-        return sum(is_counted(*color) for row in rows for color in row) / sum(map(len, rows))
+class Screen:
+    """A display without hardware, whose pixels are in a file."""
 
-    assert share("shell.png", lambda r, g, b: r > b + 20) > 0.1
-    assert share("carried.png", lambda r, g, b: r > 100 and b < 30) > 0.03
-    assert share("carried.png", lambda r, g, b: b > 100 and r < 30) > 0.03
+    def __init__(self):
+        read, write = os.pipe()
+        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-fbdir", "."],
+                                       pass_fds=[write], stderr=subprocess.DEVNULL)
+        self.name = f":{os.read(read, 9).decode().strip()}"
+
+    def pixels(self):
+        data = Path("Xvfb_screen0").read_bytes()
+        header = struct.unpack_from(">25I", data)
+        width, height, order, line, start = header[4], header[5], header[7], header[12], header[0] + 12 * header[19]
+        assert header[11] == 32
+        at = (lambda i: data[i + 1:i + 4]) if order else (lambda i: data[i + 2:i - 1 if i else None:-1])
+        return [[tuple(at(start + line * y + 4 * x)) for x in range(width)] for y in range(height)]
+
+    def save(self, name):
+        rows = self.pixels()
+        Path(name).write_bytes(as_png(len(rows[0]), len(rows), lambda x, y: rows[y][x]))
+
+
+def run(screen, name, script):
+    """Runs a script in the demo, and returns what it reports. The demo stays open until the caller has left the loop."""
+    Path(f"{name}.js").write_text(FUNCTIONS + script + 'report("end", "")', encoding="utf-8")
+    environment = {**os.environ, "HOME": os.getcwd(), "XDG_CONFIG_HOME": os.getcwd(), "DISPLAY": screen.name, "LIBGL_ALWAYS_SOFTWARE": "1"}
+    with open(f"{name}.log", "w+", encoding="utf-8") as log:
+        running = subprocess.Popen([demo, f"{name}.js"], env=environment, stdout=log, stderr=log)
+        try:
+            for _ in range(SECONDS):
+                time.sleep(1)
+                text = Path(log.name).read_text(encoding="utf-8")
+                reports = dict(json.loads(line) for line in re.findall(r"REPORT (.*)", text))
+                assert running.poll() is None, text
+                if "end" in reports:
+                    time.sleep(2)       # draws the last state
+                    assert running.poll() is None, text
+                    yield reports
+                    return
+            raise AssertionError(text)
+        finally:
+            running.kill()
+            running.wait()
+
+
+def share(rows, is_counted):
+    return sum(is_counted(*color) for row in rows for color in row) / sum(map(len, rows))
+
+
+def test(screen, folder):
+    for found in run(screen, "shell", SHELL):
+        print(found)
+        assert NO_SHELL in found["no shell"]
+        assert found["build"] == ""
+        assert found["shell"] == ["sphere", "certified shell of sphere", "inner surface", "outer surface"]
+        if folder:
+            screen.save(folder / "shell.png")
+
+    for found in run(screen, "edits", EDITS):
+        print(found)
+        for name in ("simplify", "carry", "remesh", "project"):
+            assert found[name] == "", name
+        facets, = re.fullmatch(r"simplified sphere \((\d+) facets\)", found["simplified"]).groups()
+        assert 0 < int(facets) <= 300
+        assert re.fullmatch(r"remeshed sphere \(\d+ facets\)", found["remeshed"])
+        assert found["projected"] == [f"projected {found['remeshed']}"]
+        assert "2 of 3 points are on sphere" in found["project points"] and "not in the shell" in found["project points"]
+        assert found["projected points"] == ["projected points", "no image: points"]
+        assert "not a surface mesh" in found["not a mesh"]
+        assert "relative_thickness" in found["invalid"] and "time_limit" in found["late"]
+        if folder:
+            screen.save(folder / "edits.png")
+        rows = screen.pixels()      # the colors of two hemispheres
+        assert share(rows, lambda r, g, b: r > 60 and b < r / 4 and g < r / 4) > 0.02
+        assert share(rows, lambda r, g, b: b > 60 and r < b / 4 and g < b / 4) > 0.02
+
+    for found in run(screen, "bad", f"var FILES = {json.dumps(list(OUTCOMES))}\n" + BAD):
+        print(found)
+        for name, (*expected, is_marked) in OUTCOMES.items():
+            *outcomes, items = found[name]
+            for part, outcome in zip(expected, outcomes):
+                assert (part in outcome) if part else outcome == "", (name, part, outcome)
+            assert any("without proof" in item for item in items) == is_marked, (name, items)
+
+
+if not demo.is_file():
+    skip(f"{demo} does not exist: build it with bash examples/polyhedron_demo.sh --build.")
+if not shutil.which("Xvfb"):
+    skip("Xvfb is missing: install xvfb.")
+pictures = Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else None
+with tempfile.TemporaryDirectory() as home:
+    os.chdir(home)
+    write_meshes()
+    display = Screen()
+    try:
+        test(display, pictures)
+    finally:
+        display.server.kill()
+        display.server.wait()
