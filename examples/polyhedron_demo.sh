@@ -28,13 +28,15 @@ if [ ! -d "$build/sources" ]; then
 fi
 ln -sfn "$PWD/examples/polyhedron_demo" "$demo/Plugins/Bspline_shell_3"
 
+# Messages of the demo and of our plugin refer to the last two.
+plugins=(bspline_shell_plugin off_plugin ply_plugin orient_soup_plugin triangulate_facets_plugin)
 options=(-G Ninja -Wno-dev -DCMAKE_BUILD_TYPE=Release)
 command -v ccache >/dev/null && options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 echo "Building (about fifteen minutes the first time) ..."
 { cmake -S . -B "$build/library" "${options[@]}" -DBUILD_TESTING=OFF -DBSPLINE_SHELL_3_EXAMPLES=OFF -DBSPLINE_SHELL_3_TOOL=OFF &&
   cmake --build "$build/library" && cmake --install "$build/library" --prefix "$build/installed" &&
   cmake -S "$demo" -B "$build/demo" "${options[@]}" -DCMAKE_PREFIX_PATH="$build/installed" &&
-  cmake --build "$build/demo" --target Polyhedron_3 off_plugin ply_plugin bspline_shell_plugin; } >"$build/build.log" 2>&1 ||
+  cmake --build "$build/demo" --target Polyhedron_3 "${plugins[@]}"; } >"$build/build.log" 2>&1 ||
   { tail -n 30 "$build/build.log"; echo "The build failed: see $build/build.log."; exit 1; }
 [ -z "$mode" ] || exit 0
 

@@ -51,17 +51,17 @@ Q_DECLARE_METATYPE(Shell_pointer)
 class Facets_or_cancel_predicate
 {
 public:
-  Facets_or_cancel_predicate(std::size_t facets, const Progress& progress) : m_facets(facets), m_progress(&progress) {}
+  Facets_or_cancel_predicate(std::size_t facets, Progress& progress) : m_facets(facets), m_progress(&progress) {}
 
   template <typename FT, typename Profile>
   bool operator()(const FT& cost, const Profile& profile, std::size_t initial, std::size_t current) const
   {
-    return m_progress->is_canceled() || m_facets(cost, profile, initial, current);
+    return !m_progress->advance(initial - current, initial) || m_facets(cost, profile, initial, current);
   }
 
 private:
   BS::Facet_count_stop_predicate m_facets;
-  const Progress* m_progress;
+  Progress* m_progress;
 };
 
 // The result of a canceled edit is not used.
@@ -297,7 +297,7 @@ QString Bspline_shell_plugin::build_shell(int number, double thickness, double t
     QString("%1 shell of %2").arg(shell.is_certified() ? "certified" : "uncertified", name));
   scene->addItem(group);
   const auto add_surface = [&](SMesh& surface, const char* surface_name, const QColor& color) {
-    constexpr int alpha = 80; // of 255, so that the mesh is visible
+    constexpr int alpha = 50; // of 255, so that the mesh is visible
     if(surface.is_empty()) return Three::warning(QString("%1: the %2 could not be extracted.").arg(name, surface_name));
     Mesh_item* surface_item = add_mesh(std::move(surface), surface_name, color);
     surface_item->setRenderingMode(Flat);
@@ -340,16 +340,18 @@ QString Bspline_shell_plugin::edit(int number, const char* edited, const Edit& e
   item->setVisible(false);
   scene->itemChanged(item);
   scene->setSelectedItem(scene->item_id(result));
-  Three::information(QString("%1, instead of %2: %3 %4")
+  const bool is_at_target = report.end == BS::Edit_termination::STOP_PREDICATE
+                            || report.end == BS::Edit_termination::TARGET;
+  Three::information(QString("%1, instead of %2: the result is certified. %3")
                        .arg(result_name)
                        .arg(report.facets_before)
-                       .arg(report.message().c_str(), message(report.end)));
+                       .arg(is_at_target ? "" : message(report.end)));
   return {};
 }
 
 QString Bspline_shell_plugin::simplify(int number, int facets, double time_limit)
 {
-  return edit(number, "simplified", [&](SMesh& mesh, const Shell& shell, const Progress& progress) {
+  return edit(number, "simplified", [&](SMesh& mesh, const Shell& shell, Progress& progress) {
     return BS::simplify_in_shell(
       mesh, shell, parameters::stop(Facets_or_cancel_predicate(facets, progress)).time_limit(seconds(time_limit)));
   });

@@ -15,7 +15,7 @@
 #include <future>
 
 // A visitor of constructions of shells, of remeshing, and of projections. The thread of the computation calls it, and
-// the thread of the dialog reads it.
+// the thread of the dialog reads and cancels it.
 class Progress
 {
 public:

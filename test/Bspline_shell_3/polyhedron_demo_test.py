@@ -177,8 +177,8 @@ def test(screen, folder):
         if folder:
             screen.save(folder / "edits.png")
         rows = screen.pixels()      # the colors of two hemispheres
-        assert share(rows, lambda r, g, b: r > 60 and b < r / 4 and g < r / 4) > 0.02
-        assert share(rows, lambda r, g, b: b > 60 and r < b / 4 and g < b / 4) > 0.02
+        assert share(rows, lambda r, g, b: r > 60 and b < r / 4 and g < r / 4) > 0.01
+        assert share(rows, lambda r, g, b: b > 60 and r < b / 4 and g < b / 4) > 0.01
 
     for found in run(screen, "bad", f"var FILES = {json.dumps(list(OUTCOMES))}\n" + BAD):
         print(found)

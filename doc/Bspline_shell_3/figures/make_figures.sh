@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 . cmake/install_packages.sh
-install_packages "${BUILD_PACKAGES[@]}" python3 python3-matplotlib python3-pil python3-vtk9 xvfb xauth libtet1.5-dev chromium
+install_packages "${BUILD_PACKAGES[@]}" python3 python3-matplotlib python3-pil python3-vtk9 xvfb xauth libtet1.5-dev chromium xdotool imagemagick
 
 here=doc/Bspline_shell_3/figures build=$PWD/build/gallery data=build/figures fig=doc/Bspline_shell_3/fig
 launcher=()
@@ -61,3 +61,7 @@ echo cut_off.off >>"$data/data_set.txt"
 bash examples/data_set.sh "$data/data_set.txt" results="$data/data_set" time_limit=120 batch=3
 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1300,1560 \
          --screenshot="$fig/data_set.png" "file://$PWD/$data/data_set/index.html"
+
+# CGAL's Polyhedron demo with the plugin
+bash examples/polyhedron_demo.sh --build
+xvfb-run -a -s "-screen 0 1300x760x24" bash "$here/draw_demo.sh" build/polyhedron_demo/demo/Polyhedron_3 "$elephant" "$fig/polyhedron_demo.png"
