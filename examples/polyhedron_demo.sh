@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Starts the Polyhedron demo of CGAL 5.5 with a plugin for shells (Debian 12):
 #   bash examples/polyhedron_demo.sh [--build] [MESH|SCRIPT...]
-# Installs missing packages, and builds the demo from the sources in the Debian package libcgal-demo, with this plugin and
-# those that read and write OFF and PLY files. Opens the meshes, and runs the demo's scripts (.js). --build: only builds.
+# Installs missing packages, and builds the demo from the sources in the Debian package libcgal-demo. Other plugins of the
+# demo are built only if they read or write OFF or PLY files, or repair what our plugin rejects. Then the script opens the
+# meshes, and runs the demo's scripts (.js). --build: only builds.
 set -euo pipefail
 mode=
 if [ "${1-}" = --build ]; then mode=$1; shift; fi
@@ -20,7 +21,7 @@ sources=/usr/share/doc/libcgal-dev/demo.tar.gz
 [ -f "$sources" ] || { echo "$sources is missing: install libcgal-demo with its documentation." >&2; exit 1; }
 mkdir -p "$build"
 if [ ! -d "$build/sources" ]; then
-  # unpacked elsewhere and then renamed: the folder is there completely or not at all
+  # After an interruption, the folder exists completely or not at all.
   rm -rf "$build/sources.part"
   mkdir "$build/sources.part"
   tar -xzf "$sources" -C "$build/sources.part" demo/Polyhedron
@@ -28,7 +29,6 @@ if [ ! -d "$build/sources" ]; then
 fi
 ln -sfn "$PWD/examples/polyhedron_demo" "$demo/Plugins/Bspline_shell_3"
 
-# Messages of the demo and of our plugin refer to the last two.
 plugins=(bspline_shell_plugin off_plugin ply_plugin orient_soup_plugin triangulate_facets_plugin)
 options=(-G Ninja -Wno-dev -DCMAKE_BUILD_TYPE=Release)
 command -v ccache >/dev/null && options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)

@@ -83,11 +83,11 @@ public:
 public Q_SLOTS:
   // The menu calls these functions after its dialogs, and scripts of the demo call them without. Items are given by
   // their numbers in the list. The functions return the reason of a failure, or an empty text, and write to the
-  // demo's console about successes. Times are in seconds; 0 is no limit.
+  // demo's console about successes. Times are in seconds, and 0 means no limit.
 
   // The thickness is a percentage of the longest side of the bounding box.
   QString build_shell(int mesh, double thickness, double time_limit);
-  // If `facets` is 0, as far as the shell permits.
+  // If `facets` is 0, the result is as coarse as the shell permits.
   QString simplify(int mesh, int facets, double time_limit);
   QString remesh(int mesh, double edge_length, double time_limit);
   // Moves the vertices of a mesh, or points, onto another mesh.
@@ -297,7 +297,7 @@ QString Bspline_shell_plugin::build_shell(int number, double thickness, double t
     QString("%1 shell of %2").arg(shell.is_certified() ? "certified" : "uncertified", name));
   scene->addItem(group);
   const auto add_surface = [&](SMesh& surface, const char* surface_name, const QColor& color) {
-    constexpr int alpha = 50; // of 255, so that the mesh is visible
+    constexpr int alpha = 50; // The mesh is visible through the surfaces; 255 is opaque.
     if(surface.is_empty()) return Three::warning(QString("%1: the %2 could not be extracted.").arg(name, surface_name));
     Mesh_item* surface_item = add_mesh(std::move(surface), surface_name, color);
     surface_item->setRenderingMode(Flat);
@@ -429,7 +429,7 @@ QString Bspline_shell_plugin::carry(int from, int to)
   Mesh_item* result = new Mesh_item(std::move(mesh));
   result->setName(target->name());
   result->setColor(target->color());
-  result->setRenderingMode(GouraudPlusEdges); // which shows the colors of vertices
+  result->setRenderingMode(GouraudPlusEdges); // Flat modes do not show colors of vertices.
   set_shell(result, shell_of(target));
   scene->replaceItem(to, result, true);
   target->deleteLater();

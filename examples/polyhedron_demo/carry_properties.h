@@ -16,7 +16,7 @@
 struct Carried_properties
 {
   std::vector<std::string> names;
-  CGAL::Bspline_shells::Transfer_report report; // of the last property of vertices
+  CGAL::Bspline_shells::Transfer_report report; // The report of the last property of vertices.
 };
 
 // Transfers the properties from one `Surface_mesh` to another along the integral curves of a shell. Elements without an

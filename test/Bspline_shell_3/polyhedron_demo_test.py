@@ -21,7 +21,7 @@ from mesh_files import as_ply, sphere      # noqa: E402  (needs the path)
 from png_files import as_png               # noqa: E402
 
 demo = Path(sys.argv[1]).resolve()
-SECONDS = 300       # for a script, on a slow machine
+SECONDS = 300       # A slow machine runs each script in less.
 FUNCTIONS = """
 function report(name, value) { print("REPORT " + JSON.stringify([name, value])) }
 function names() {
