@@ -151,7 +151,7 @@ QString without_mesh(int number)
 }
 QString without_shell(const QString& name)
 {
-  return name + " has no shell: select it, and choose \"Build Shell\".";
+  return name + " has no shell: choose \"Build Shell\" for it first.";
 }
 
 // Returns why there is no certified shell, with the first obstacle.
@@ -467,9 +467,11 @@ void Bspline_shell_plugin::ask_and_build_shell()
 void Bspline_shell_plugin::ask_and_simplify()
 {
   const int number = selected<Mesh_item>().first();
+  const Mesh_item* item = item_of<Mesh_item>(number);
+  if(!shell_of(item)) return show_failure(without_shell(item->name()));
   QMultipleInputDialog dialog("Simplify in Shell", mw);
   QSpinBox* facets = dialog.add<QSpinBox>("Number of facets:");
-  facets->setRange(0, int(item_of<Mesh_item>(number)->polyhedron()->number_of_faces()));
+  facets->setRange(0, int(item->polyhedron()->number_of_faces()));
   facets->setSpecialValueText("as few as the shell permits");
   facets->selectAll(); // Otherwise, a typed number is appended to this text.
   QDoubleSpinBox* limit = add_time_limit(dialog);
@@ -479,9 +481,11 @@ void Bspline_shell_plugin::ask_and_simplify()
 void Bspline_shell_plugin::ask_and_remesh()
 {
   const int number = selected<Mesh_item>().first();
+  const Mesh_item* item = item_of<Mesh_item>(number);
+  if(!shell_of(item)) return show_failure(without_shell(item->name()));
   QMultipleInputDialog dialog("Remesh in Shell", mw);
   DoubleEdit* length = dialog.add<DoubleEdit>("Length of edges:");
-  length->setValue(average_edge_length(*item_of<Mesh_item>(number)->polyhedron()));
+  length->setValue(average_edge_length(*item->polyhedron()));
   QDoubleSpinBox* limit = add_time_limit(dialog);
   if(dialog.exec() == QDialog::Accepted) show_failure(remesh(number, length->value(), limit->value()));
 }
