@@ -32,7 +32,7 @@ ln -sfn "$PWD/examples/polyhedron_demo" "$demo/Plugins/Bspline_shell_3"
 plugins=(bspline_shell_plugin off_plugin ply_plugin orient_soup_plugin triangulate_facets_plugin)
 options=(-G Ninja -Wno-dev -DCMAKE_BUILD_TYPE=Release)
 command -v ccache >/dev/null && options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-echo "Building (about fifteen minutes the first time) ..."
+echo "Building (about ten minutes the first time) ..."
 { cmake -S . -B "$build/library" "${options[@]}" -DBUILD_TESTING=OFF -DBSPLINE_SHELL_3_EXAMPLES=OFF -DBSPLINE_SHELL_3_TOOL=OFF &&
   cmake --build "$build/library" && cmake --install "$build/library" --prefix "$build/installed" &&
   cmake -S "$demo" -B "$build/demo" "${options[@]}" -DCMAKE_PREFIX_PATH="$build/installed" &&
