@@ -54,6 +54,10 @@ xvfb-run -a /usr/bin/python3 examples/Bspline_shell_3/render_shell.py "$data/thi
 xvfb-run -a /usr/bin/python3 examples/Bspline_shell_3/render_shell.py "$data/colored" "$fig/elephant_simplified.png"
 xvfb-run -a /usr/bin/python3 "$here/draw_studies.py" "$data/armadillo" "$fig/resolutions.png"
 
+# CGAL's Polyhedron demo with the plugin
+bash examples/polyhedron_demo.sh --build
+xvfb-run -a -s "-screen 0 1300x760x24" bash "$here/draw_demo.sh" build/polyhedron_demo/demo/Polyhedron_3 "$elephant" "$fig/polyhedron_demo.png"
+
 # the page of a data set, which includes a truncated file
 printf "$build/data/meshes/%s.off\n" anchor bear bull cow eight elephant fandisk homer joint lion-head rotor three_peaks triceratops >"$data/data_set.txt"
 head -c 1000 "$build/data/meshes/cow.off" >"$data/cut_off.off"
@@ -61,7 +65,3 @@ echo cut_off.off >>"$data/data_set.txt"
 bash examples/data_set.sh "$data/data_set.txt" results="$data/data_set" time_limit=120 batch=3
 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1300,1560 \
          --screenshot="$fig/data_set.png" "file://$PWD/$data/data_set/index.html"
-
-# CGAL's Polyhedron demo with the plugin
-bash examples/polyhedron_demo.sh --build
-xvfb-run -a -s "-screen 0 1300x760x24" bash "$here/draw_demo.sh" build/polyhedron_demo/demo/Polyhedron_3 "$elephant" "$fig/polyhedron_demo.png"
