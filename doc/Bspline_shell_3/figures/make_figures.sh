@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 . cmake/install_packages.sh
-install_packages "${BUILD_PACKAGES[@]}" python3 python3-matplotlib python3-pil python3-vtk9 xvfb xauth libtet1.5-dev chromium
+install_packages "${BUILD_PACKAGES[@]}" python3 python3-matplotlib python3-pil python3-vtk9 xvfb xauth libtet1.5-dev chromium xdotool imagemagick
 
 here=doc/Bspline_shell_3/figures build=$PWD/build/gallery data=build/figures fig=doc/Bspline_shell_3/fig
 launcher=()
@@ -54,6 +54,10 @@ xvfb-run -a /usr/bin/python3 "$here/draw_meshes.py" "$data" "$fig"
 xvfb-run -a /usr/bin/python3 examples/Bspline_shell_3/render_shell.py "$data/thick" "$fig/elephant_shell.png"
 xvfb-run -a /usr/bin/python3 examples/Bspline_shell_3/render_shell.py "$data/colored" "$fig/elephant_simplified.png"
 xvfb-run -a /usr/bin/python3 "$here/draw_studies.py" "$data/armadillo" "$fig/resolutions.png"
+
+# CGAL's Polyhedron demo with the plugin
+bash examples/polyhedron_demo.sh --build
+xvfb-run -a -s "-screen 0 1300x760x24" bash "$here/draw_demo.sh" build/polyhedron_demo/demo/Polyhedron_3 "$elephant" "$fig/polyhedron_demo.png"
 
 # the page of a data set, which includes a truncated file
 printf "$build/data/meshes/%s.off\n" anchor bear bull cow eight elephant fandisk homer joint lion-head rotor three_peaks triceratops >"$data/data_set.txt"
