@@ -14,7 +14,8 @@ double tolerance_of(const Edit_options& options, double longest_side)
 double first_thickness(const Edit_options& options, double longest_side)
 {
   if(options.thickness || !options.tolerance) return thickness_of(options, longest_side);
-  return (std::min)(tolerance_of(options, longest_side), search_tuning.thickest_first * longest_side);
+  return std::clamp(tolerance_of(options, longest_side), search_tuning.thinnest * longest_side,
+                    search_tuning.thickest_first * longest_side);
 }
 
 } // namespace Tool

@@ -17,6 +17,8 @@ struct Search_tuning
   double thickest = 0.3;
   // The same for the first attempt: the shell of an intricate model does not exist, or takes long.
   double thickest_first = 0.05;
+  // Least thickness, unless the user requests a thinner shell: most models would need more than a million cells.
+  double thinnest = 1e-4;
   // Largest ratio of successive thicknesses.
   double thickening = 3;
   // Fraction of the tolerance at which the next thickness aims, as distances are about proportional to thicknesses.

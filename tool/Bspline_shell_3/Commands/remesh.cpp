@@ -55,7 +55,9 @@ Outcome remesh(const Remesh_options& options, bool writes_json)
     if(distance <= target.tolerance || options.thickness || found->proxy || attempt == search_tuning.attempts
        || time.seconds() > search_tuning.last_attempt * time.limit())
       break;
-    target.thickness *= search_tuning.aim * target.tolerance / distance;
+    const double next = search_tuning.aim * target.tolerance / distance * target.thickness;
+    if(next < search_tuning.thinnest * unit) break;
+    target.thickness = next;
   }
   if(const Outcome kept = check_tolerance(options, model, result); !kept) return kept;
   const BS::Shell_of_soup_3& found = *result.found;

@@ -124,7 +124,8 @@ private:
     if(!m_options.tolerance) return misses_target(m_current) && m_current.limit == Limit::SHELL ? thicker : thickness;
     const double tolerance = m_target.surface_tolerance, distance = m_current.distances.largest();
     const double scaled = search_tuning.aim * tolerance / distance * thickness;
-    if(!keeps_tolerance(m_current)) return keeps_tolerance(*m_best) ? thickness : scaled;
+    if(!keeps_tolerance(m_current))
+      return keeps_tolerance(*m_best) || scaled < search_tuning.thinnest * m_side ? thickness : scaled;
     return m_current.limit == Limit::SHELL && distance <= search_tuning.slack * tolerance ? (std::min)(scaled, thicker)
                                                                                           : thickness;
   }
