@@ -14,11 +14,12 @@ namespace Tool {
 // at most `within`. It is meant for triangles that are large compared with the facets of the mesh. The time is
 // proportional to the number of facets over the triangle.
 //
-// Facets are collected from `start` over the edges that meet the triangle in the projection along its normal, where the
-// triangle is shrunk. If all of them have the same orientation in the projection, and no edge is on a border, then the
-// projection of the collected surface is open, and closed, in the shrunk triangle: it covers it. So each point of the
-// triangle has a point of the surface close to it in the projection, and the largest difference of heights bounds the
-// distance along the normal.
+// Facets and the triangle are projected along the normal of the triangle, which is also shrunk. Facets are collected
+// from `start`, over edges whose projection meets the shrunk triangle. Suppose that none of these edges is on a
+// border, and that all collected facets have the same orientation in the projection. Then the projection of the
+// collected surface is open in the shrunk triangle. It is also closed and not empty, so it covers the shrunk
+// triangle. Each point of the triangle is therefore close to a point of the surface in the projection, and the
+// largest difference of heights bounds their distance along the normal.
 // \param start a facet
 // \param distance its distance from the center of the triangle's inscribed circle
 // \param rounding bound of the error of a projected coordinate

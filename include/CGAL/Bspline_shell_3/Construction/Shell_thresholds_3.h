@@ -168,6 +168,11 @@ public:
     if(side == NEGATIVE) x = -x;
     return similar.template with_coefficients<ConcurrencyTag>(std::move(x));
   }
+  template <typename ConcurrencyTag>
+  Field threshold(Sign side) const
+  {
+    return threshold<ConcurrencyTag>(side, *m_field);
+  }
 
 private:
   static int number(Sign side) { return side == POSITIVE ? 1 : 0; }
