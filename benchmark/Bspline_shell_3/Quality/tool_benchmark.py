@@ -277,7 +277,7 @@ HEAD = "file               command   facets  distance    true  median     max   
 
 def print_rows(rows):
     for row in rows:
-        line = f"{row['file']:<18} {row['name']:<8}"
+        line = f"{row['file']:<18} {row['command']:<8}"
         if "facets" not in row:
             print(line, f"exit code {row['report']['exit_code']}: {row['report'].get('error', '')}", flush=True)
             continue
