@@ -47,7 +47,8 @@ with tempfile.TemporaryDirectory() as folder:
         if name.startswith("eight."):
             os.remove(os.path.join(folder, name))
     refined, = run(eight, "--write-shells", folder)
-    assert refined["status"] == "certified" and refined["rounds"] > 0, refined
+    assert refined["status"] == "certified" and refined["rounds"] == len(refined["round_figures"]) > 0, refined
+    assert refined["round_figures"][-1]["cells"] == refined["cells"], refined
     assert {"eight.shell", "eight.shell.txt", "eight.mesh.off", "eight.certificate.txt"} <= set(os.listdir(folder))
 
     # If the polygons are not a mesh, triangles are excised or, if these are too many, the polygons get a proxy, unless

@@ -46,7 +46,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
@@ -249,6 +251,24 @@ std::string excision_properties(const BS::Shell_of_soup_3& result)
   return out.str();
 }
 
+// Returns a list of the rounds of refinement: their cells, those that fail, and the seconds of the steps.
+std::string rounds(const BS::Shell_report& report)
+{
+  std::ostringstream out;
+  for(const BS::Refinement_round& r : report.rounds) {
+    out << (out.tellp() > 0 ? "," : "") << "{\"cells\":" << r.cells << ",\"partial\":" << r.partial
+        << ",\"thick\":" << r.thick_cells << ",\"sloping\":" << r.sloping_cells
+        << ",\"sloping_left\":" << r.sloping_cells_left << ",\"failing_facets\":" << r.failing_facets
+        << ",\"undecided\":" << r.undecided_cells << ",\"marked\":" << r.marked_cells << ",\"seconds\":{";
+    constexpr std::array<const char*, 7> steps = { "cells",  "distance", "assembly",   "solver",
+                                                   "slopes", "bounds",   "certificate" };
+    for(std::size_t n = 0; n < steps.size(); ++n)
+      out << (n > 0 ? "," : "") << "\"" << steps[n] << "\":" << r.seconds[n];
+    out << "}}";
+  }
+  return "[" + out.str() + "]";
+}
+
 template <typename Shell>
 void print(const std::string& file, const char* kind, const Shell& shell, const BS::Certificate_report& certificate,
            const char* status, std::string reason, double seconds, bool written, const std::string& more = "")
@@ -278,9 +298,10 @@ void print(const std::string& file, const char* kind, const Shell& shell, const 
             << ",\"levels\":" << (r.rounds.empty() ? 1 : r.rounds.back().levels) << ",\"rounds\":" << r.rounds.size()
             << ",\"partial_rounds\":"
             << std::count_if(r.rounds.begin(), r.rounds.end(), [](const auto& round) { return round.partial; })
-            << ",\"cells\":" << r.cells << ",\"unknowns\":" << r.unknowns << ",\"eps1\":" << thresholds.min / r.unit
-            << ",\"eps2\":" << thresholds.max / r.unit << ",\"thickness\":" << shell.relative_thickness()
-            << ",\"narrowed_area\":" << r.narrowed_area << ",\"min_cone_margin\":" << certificate.least_cone_margin
+            << ",\"round_figures\":" << rounds(r) << ",\"cells\":" << r.cells << ",\"unknowns\":" << r.unknowns
+            << ",\"eps1\":" << thresholds.min / r.unit << ",\"eps2\":" << thresholds.max / r.unit
+            << ",\"thickness\":" << shell.relative_thickness() << ",\"narrowed_area\":" << r.narrowed_area
+            << ",\"min_cone_margin\":" << certificate.least_cone_margin
             << ",\"singular_vertices\":" << certificate.singular_vertices.size() << ",\"certificate\":{";
   for(int c = 0; c < 5; ++c)
     std::cout << (c > 0 ? "," : "") << "\"" << name(BS::Claim(c)) << "\":\"" << name(certificate.verdicts[c]) << "\"";
