@@ -194,7 +194,7 @@ TEST_CASE("Cancellation: a proxy can be canceled at any poll, within the wrap, i
     CHECK_FALSE(canceled.is_certified());
     in_wrap += canceled.mesh().number_of_faces() == 0;
   });
-  CHECK(in_wrap > 3);
+  CHECK(in_wrap >= 3); // CGAL 6 calls the visitor less often than CGAL 5
 }
 
 TEST_CASE("Time limit: an edit that ends at any poll leaves the mesh unchanged")
