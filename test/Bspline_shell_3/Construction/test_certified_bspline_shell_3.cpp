@@ -6,6 +6,8 @@
 #include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
+#include <CGAL/boost/graph/Euler_operations.h>
+
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -285,6 +287,22 @@ TEST_CASE("Certified shells: constant thresholds are two levels, closer than the
   check_certified(mesh, shell);
   CHECK(shell.relative_thickness() < 0.01);
   CHECK(width_at(shell, Point_3(0, 0, 0)) == Approx(width_at(shell, Point_3(1, 0.5, 1))).epsilon(1e-9));
+}
+
+TEST_CASE("Certified shells: constant thresholds are provable for a box, whatever its diagonals")
+{
+  // Extrema of the field on the mesh are at corners of the box, so that bounds of the field are sharp there.
+  const Mesh quads = box(Point_3(0, 0, 0), Point_3(2, 1, 1), false);
+  for(int diagonals : { 0, 21, 32, 42, 63 }) {
+    Mesh mesh = quads;
+    int n = 0;
+    for(auto f : quads.faces()) {
+      auto h = mesh.halfedge(f);
+      if(diagonals >> n++ & 1) h = mesh.next(h);
+      CGAL::Euler::split_face(h, mesh.next(mesh.next(h)), mesh);
+    }
+    check_certified(mesh, CGAL::certified_bspline_shell_3(mesh, parameters::constant_thresholds(true)));
+  }
 }
 
 TEST_CASE("Certified shells: invalid parameters, rejected meshes and cancellation have a status")
