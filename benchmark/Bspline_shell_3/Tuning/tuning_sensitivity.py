@@ -68,7 +68,7 @@ def stage(source):
     """Copies the sources; returns all numbers, and a checksum of the sources"""
     numbers, checksum = {}, hashlib.sha256()
     for folder, folders, names in os.walk(ROOT):
-        folders[:] = sorted(name for name in folders if name not in ("build", "__pycache__") and not name.startswith("."))
+        folders[:] = sorted(name for name in folders if not name.startswith(("build", "results", "__pycache__", ".")))
         for path in (os.path.join(folder, name) for name in sorted(names)):
             text = open(path, "rb").read()
             checksum.update(text)
