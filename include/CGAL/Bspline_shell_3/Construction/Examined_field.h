@@ -139,10 +139,9 @@ public:
   std::vector<Threshold_obstacle> choose_thresholds(const Narrowing_limits& limits)
   {
     if(m_problem.parameters.constant_thresholds) {
-      constexpr double tau = 1e10; // The mesh lies strictly between rounded levels, which is provable.
       const Level_range on_mesh = Bspline_shells::facet_ranges<ConcurrencyTag>(*m_fitted.field(), m_fitted.clipped())
                                     .mesh;
-      m_thresholds.set_constant(round_outwards(on_mesh, m_problem.input->unit() / tau));
+      m_thresholds.set_constant(round_outwards(on_mesh, m_problem.input->unit() / levels_per_box_size));
     }
     const auto ranges = [&](Mesh_ranges::Precision precision) -> const std::vector<Level_range>& {
       return this->ranges(precision);

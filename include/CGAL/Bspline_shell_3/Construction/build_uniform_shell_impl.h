@@ -174,8 +174,7 @@ Bspline_shell_3<> build_uniform_shell(Shell_construction& construction, const Un
     report.edges = edge_range<ConcurrencyTag>(field, clipped);
     const Facet_ranges triangles = facet_ranges<ConcurrencyTag>(field, clipped);
     report.facets_bound = triangles.mesh;
-    constexpr double tau = 1e10;
-    const Level_range levels = round_outwards(triangles.mesh, report.unit / tau);
+    const Level_range levels = round_outwards(triangles.mesh, report.unit / levels_per_box_size);
     Shell_component component = shell_component(field, clipped.cells(), levels);
     const bool is_open = !component.border_cells.empty();
     const bool may_widen = !parameters.rings && report.widenings < max_widenings;

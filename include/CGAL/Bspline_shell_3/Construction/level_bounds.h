@@ -261,11 +261,16 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
   return ranges;
 }
 
+/// \ingroup PkgBsplineShell3Construction
+/// \brief number of levels per box size to which constant thresholds are rounded: \f$\tau\f$ in
+/// \cgalCite{CubicBsplineShell2025} (Section 5.2). Sharp bounds of the field on the mesh would leave no room for a proof
+/// that the mesh lies strictly between the thresholds.
+inline constexpr double levels_per_box_size = 1e10;
+
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief rounds a range outward to multiples of `quantum`. The box size divided by the quantum is \f$\tau\f$ in
- * \cgalCite{CubicBsplineShell2025} (Section 5.2). Rounding errors of the multiples never shrink the range.
+ * \brief rounds a range outward to multiples of `quantum`. Rounding errors of the multiples never shrink the range.
  */
 inline Level_range round_outwards(const Level_range& range, double quantum)
 {
