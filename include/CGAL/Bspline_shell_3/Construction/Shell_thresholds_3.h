@@ -168,6 +168,7 @@ public:
     if(side == NEGATIVE) x = -x;
     return similar.template with_coefficients<ConcurrencyTag>(std::move(x));
   }
+  /// returns the same threshold, without copies
   template <typename ConcurrencyTag>
   Field threshold(Sign side) const
   {

@@ -170,8 +170,8 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *   again with a proof for each facet (`Edit_report::is_repeated`). This is done only where the rollback cannot be
  *   observed: for a `Surface_mesh` without garbage, and without a visitor, a filter, frozen facets, and stop predicates
  *   that may not be repeated (`Is_repeatable_stop_predicate`). Otherwise, every created facet is proved immediately.
- * The costs of the policy are initialized again for the repetition, and a map of constrained edges has
- *   its original values.
+ *   The costs of the policy are initialized again for the repetition, and a map of constrained edges has its original
+ *   values.
  *
  * \cgalHeading{Cost} For each facet at the new vertex, a collapse evaluates the field at a few points, or proves it
  *   with a bound for each cell that it meets. The certificate takes as long as for any mesh in the shell; if it fails,

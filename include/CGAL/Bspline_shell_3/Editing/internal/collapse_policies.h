@@ -230,8 +230,8 @@ public:
   }
 
 private:
-  // Returns an end of the edge if the placement differs from it only by the rounding of the policy's linear system, so
-  // that a vertex that does not move keeps its coordinates.
+  // Returns an end of the edge if the placement differs from it only by the rounding of the policy's linear system. A
+  // vertex that does not move thus keeps its coordinates.
   static Place snapped(const Profile& profile, const Place& placement)
   {
     constexpr double rounding = 1e-8; // relative to the length of the edge
