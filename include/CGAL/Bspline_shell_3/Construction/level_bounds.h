@@ -263,8 +263,8 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
 
 /// \ingroup PkgBsplineShell3Construction
 /// \brief number of levels per box size to which constant thresholds are rounded: \f$\tau\f$ in
-/// \cgalCite{CubicBsplineShell2025} (Section 5.2). Sharp bounds of the field on the mesh would leave no room for a proof
-/// that the mesh lies strictly between the thresholds.
+/// \cgalCite{CubicBsplineShell2025} (Section 5.2). Sharp bounds of the field on the mesh would leave no room for a
+/// proof that the mesh lies strictly between the thresholds.
 inline constexpr double levels_per_box_size = 1e10;
 
 /*!
