@@ -23,7 +23,7 @@ install_packages "${BUILD_PACKAGES[@]}" python3 python3-vtk9 xvfb xauth
 build=build/quickstart
 launcher=()
 command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-echo "Building (about six minutes the first time) ..."
+echo "Building (about five minutes the first time) ..."
 mkdir -p "$build"
 { cmake -S . -B "$build" -G Ninja -Wno-dev "${launcher[@]}" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF &&
   cmake --build "$build" --target bspline_shell; } >"$build/build.log" 2>&1 ||
