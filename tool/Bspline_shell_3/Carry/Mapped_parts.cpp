@@ -1,11 +1,10 @@
 #include "Mapped_parts.h"
+#include "for_each_number.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_facet_oracle_3.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/for_each.h>
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -18,18 +17,6 @@ namespace Tool {
 namespace {
 
 typedef Mesh::Point Point;
-
-// Calls a function with the numbers 0, ..., size - 1, in parallel if possible.
-template <typename Function>
-void for_each_number(std::size_t size, const Function& f)
-{
-  std::vector<std::size_t> numbers(size);
-  std::iota(numbers.begin(), numbers.end(), 0);
-  CGAL::for_each<CGAL::Parallel_if_available_tag>(numbers, [&](std::size_t& n) {
-    f(n);
-    return true;
-  });
-}
 
 // Maps points to the mesh of the shell and back.
 class Round_trip

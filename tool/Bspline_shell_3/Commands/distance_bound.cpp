@@ -2,13 +2,12 @@
 #include "patch_bound.h"
 
 #include "../Carry/closest_weights.h"
+#include "../Carry/for_each_number.h"
 
 #include <CGAL/Bspline_shell_3/Projection/Projection_target_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
-#include <CGAL/for_each.h>
-#include <CGAL/tags.h>
 
 #include <Eigen/Core>
 
@@ -17,7 +16,6 @@
 #include <cstddef>
 #include <initializer_list>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <vector>
@@ -32,17 +30,6 @@ typedef std::array<Vector_3, 3> Triangle;
 
 constexpr double excess = 1.01;                                          // largest ratio of a bound and a distance
 constexpr double rounding = 64 * std::numeric_limits<double>::epsilon(); // of lengths, relative
-
-template <typename Function>
-void for_each_number(std::size_t size, const Function& function)
-{
-  std::vector<std::size_t> numbers(size);
-  std::iota(numbers.begin(), numbers.end(), 0);
-  CGAL::for_each<CGAL::Parallel_if_available_tag>(numbers, [&](std::size_t n) {
-    function(n);
-    return true;
-  });
-}
 
 // A point, and the facet of the other mesh that is closest to it.
 struct Sample

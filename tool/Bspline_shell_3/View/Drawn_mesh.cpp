@@ -14,15 +14,15 @@ namespace Tool {
 namespace {
 
 // A component of an attribute that becomes a channel.
-struct Column
+struct Drawn_component
 {
   const Attribute* attribute;
   std::size_t component;
 };
 
-std::vector<Column> columns_of(const Model& model)
+std::vector<Drawn_component> columns_of(const Model& model)
 {
-  std::vector<Column> columns;
+  std::vector<Drawn_component> columns;
   for(const Attribute& a : model.attributes)
     if((a.kind == Kind::REAL || a.kind == Kind::LABEL) && a.name != texture_name)
       for(std::size_t i = 0; i < a.dimension(); ++i) columns.push_back({ &a, i });
@@ -30,10 +30,10 @@ std::vector<Column> columns_of(const Model& model)
 }
 
 // Numbers the rows of values that differ at a vertex of the mesh.
-class Rows
+class Distinct_rows
 {
 public:
-  Rows(std::size_t vertices, std::size_t width) : m_of_vertex(vertices), m_width(width) {}
+  Distinct_rows(std::size_t vertices, std::size_t width) : m_of_vertex(vertices), m_width(width) {}
 
   // Returns the number of the row, and whether it is new.
   std::pair<unsigned int, bool> number(Mesh::Vertex_index v, const std::vector<float>& row)
@@ -58,12 +58,12 @@ private:
 
 Drawn_mesh::Drawn_mesh(const Model& model, const Surface_colors& colors) : m_triangulated(model)
 {
-  const std::vector<Column> columns = columns_of(model);
+  const std::vector<Drawn_component> columns = columns_of(model);
   const Attribute* const texture = colors.texture_coordinates();
   const std::size_t of_texture = texture != nullptr ? 2 : 0, of_colors = colors.has_colors() ? 3 : 0;
   const std::size_t width = (std::max)(of_texture + of_colors + columns.size(), std::size_t(1));
   const Mixer mixer(model);
-  Rows rows(mesh().num_vertices(), width);
+  Distinct_rows rows(mesh().num_vertices(), width);
   std::map<std::size_t, std::vector<unsigned int> > triangles; // by image; those without an image have the number 0
   std::size_t images = 0;
   std::vector<float> row(width, 0);
@@ -92,7 +92,7 @@ Drawn_mesh::Drawn_mesh(const Model& model, const Surface_colors& colors) : m_tri
     m_groups.push_back(static_cast<unsigned int>(of_image.size() / 3));
     m_triangles.insert(m_triangles.end(), of_image.begin(), of_image.end());
   }
-  for(const Column& c : columns)
+  for(const Drawn_component& c : columns)
     channels.push_back({ c.attribute->dimension() > 1 ? c.attribute->name + " " + c.attribute->components[c.component]
                                                       : c.attribute->name,
                          c.attribute->kind == Kind::LABEL,
