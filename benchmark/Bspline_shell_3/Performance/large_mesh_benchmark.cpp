@@ -7,8 +7,8 @@
 // MESH: a file, or a number of facets. In the latter case, a synthetic scan is used, a sphere with bumps and grooves,
 // whose shape does not depend on the number.
 // --thickness: thickness of the shell (default 0.01, of the longest box side). --ratio: share of facets that
-// simplification keeps (default 0.01). --policy: costs and placements (default plane). --plain: also CGAL's edge
-// collapse without a shell, with the same policy.
+// simplification keeps (default 0.01). --policy: costs and placements (default plane, that of the library). --plain:
+// also CGAL's edge collapse without a shell, with CGAL's policy.
 // "mesh" is the memory of the mesh itself, which is subtracted from the peaks of the other stages.
 #include "../json.h"
 
@@ -157,11 +157,25 @@ Mesh scan(std::size_t facets)
   return mesh;
 }
 
-template <typename Function>
-void with_policies(Mesh& mesh, const Options& options, const Function& f)
+typedef SMS::GarlandHeckbert_plane_policies<Mesh, Kernel> Plane_policies;
+typedef SMS::GarlandHeckbert_probabilistic_plane_policies<Mesh, Kernel> Probabilistic_policies;
+
+template <typename Policies>
+void simplify_plain(Mesh& mesh, const BS::Facet_count_stop_predicate& stop)
 {
-  if(options.is_probabilistic) f(SMS::GarlandHeckbert_probabilistic_plane_policies<Mesh, Kernel>(mesh));
-  else f(SMS::GarlandHeckbert_plane_policies<Mesh, Kernel>(mesh));
+  const Policies policies(mesh);
+  SMS::edge_collapse(mesh, stop,
+                     CGAL::parameters::get_cost(policies.get_cost()).get_placement(policies.get_placement()));
+}
+
+BS::Edit_status simplify(Mesh& mesh, const CGAL::Certified_bspline_shell_3& shell, const Options& options,
+                         const BS::Facet_count_stop_predicate& predicate)
+{
+  const auto stop = BS::parameters::stop(predicate);
+  if(!options.is_probabilistic) return BS::simplify_in_shell(mesh, shell, stop).status;
+  const Probabilistic_policies policies(mesh);
+  return BS::simplify_in_shell(mesh, shell, stop.get_cost(policies.get_cost()).get_placement(policies.get_placement()))
+    .status;
 }
 
 void measure(const std::string& name, const Options& options)
@@ -213,21 +227,13 @@ void measure(const std::string& name, const Options& options)
   if(options.is_plain_too) {
     Mesh plain = mesh;
     Stage stage;
-    with_policies(plain, options, [&](const auto& policies) {
-      SMS::edge_collapse(plain, stop,
-                         CGAL::parameters::get_cost(policies.get_cost()).get_placement(policies.get_placement()));
-    });
+    if(options.is_probabilistic) simplify_plain<Probabilistic_policies>(plain, stop);
+    else simplify_plain<Plane_policies>(plain, stop);
     stages += stage.finish("plain_simplification", facets, mesh_bytes);
   }
   Stage of_simplification;
   Mesh coarse = mesh;
-  BS::Edit_status status = BS::Edit_status::SUCCESS;
-  with_policies(coarse, options, [&](const auto& policies) {
-    status = BS::simplify_in_shell(
-               coarse, shell,
-               BS::parameters::stop(stop).get_cost(policies.get_cost()).get_placement(policies.get_placement()))
-               .status;
-  });
+  const BS::Edit_status status = simplify(coarse, shell, options, stop);
   coarse.collect_garbage();
   stages += of_simplification.finish("simplification", facets, mesh_bytes);
   if(status != BS::Edit_status::SUCCESS) return refuse(message(status), stages);

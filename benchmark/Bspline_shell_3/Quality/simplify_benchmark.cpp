@@ -34,6 +34,7 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -98,6 +99,8 @@ std::string numbers(const BS::Simplification_report& report)
   return out.str();
 }
 
+typedef SMS::GarlandHeckbert_plane_policies<Mesh, Kernel> Plane_policies; // the library's default, with a term for ties
+
 template <typename Policies>
 int simplify(const std::string& file, const Mesh& input, const CGAL::Certified_bspline_shell_3& shell,
              const Options& options)
@@ -106,7 +109,8 @@ int simplify(const std::string& file, const Mesh& input, const CGAL::Certified_b
                                                : options.facets;
   const double unit = shell.report().unit;
   const auto in_shell = [&](Mesh& mesh, const auto& np) {
-    Policies policies(mesh);
+    if constexpr(std::is_same_v<Policies, Plane_policies>) return BS::simplify_in_shell(mesh, shell, np);
+    const Policies policies(mesh);
     return BS::simplify_in_shell(mesh, shell, np.get_cost(policies.get_cost()).get_placement(policies.get_placement()));
   };
   Mesh ours = input;
@@ -156,7 +160,7 @@ int run(const std::string& file, const Options& options)
     return simplify<SMS::GarlandHeckbert_probabilistic_plane_policies<Mesh, Kernel> >(file, mesh, shell, options);
   if(options.policy == "probabilistic-triangle")
     return simplify<SMS::GarlandHeckbert_probabilistic_triangle_policies<Mesh, Kernel> >(file, mesh, shell, options);
-  return simplify<SMS::GarlandHeckbert_plane_policies<Mesh, Kernel> >(file, mesh, shell, options);
+  return simplify<Plane_policies>(file, mesh, shell, options);
 }
 
 int main(int argc, char** argv)

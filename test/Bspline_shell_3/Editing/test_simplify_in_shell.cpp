@@ -266,6 +266,18 @@ TEST_CASE(
   for(auto f : mesh.faces()) CHECK(is_accepted(oracle, mesh, f));
 }
 
+TEST_CASE("Simplification: within planes, short edges are collapsed first, so that no vertex has many edges")
+{
+  Mesh mesh = fine_box();
+  for(std::size_t facets : { 400, 200, 100 }) {
+    REQUIRE(simplify(mesh, box_shell(), stop_at(facets)));
+    std::size_t largest = 0;
+    for(auto v : mesh.vertices()) largest = (std::max)(largest, std::size_t(mesh.degree(v)));
+    CAPTURE(facets);
+    CHECK(largest <= 12);
+  }
+}
+
 TEST_CASE("Simplification: an edit that is not certified is repeated with all proofs if this is unobservable")
 {
   const Mesh start = sphere(2);

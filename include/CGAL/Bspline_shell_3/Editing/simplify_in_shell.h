@@ -82,7 +82,8 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *     \cgalParamNBegin{get_cost}
  *       \cgalParamDescription{a model of `GetCost`, for example of another policy of \cgal; it must be given together
  *         with `get_placement`}
- *       \cgalParamDefault{`CGAL::Surface_mesh_simplification::GarlandHeckbert_plane_policies`}
+ *       \cgalParamDefault{`CGAL::Surface_mesh_simplification::GarlandHeckbert_plane_policies`, plus 1e-10 times the
+ *         squared length of the edge. Of the edges within a plane, short ones are thus collapsed first.}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{get_placement}
  *       \cgalParamDescription{a model of `GetPlacement`; it must be given together with `get_cost`}

@@ -86,7 +86,7 @@ Edit_status collapse_edges(TriangleMesh& mesh, VertexPointMap vpm, const Bspline
       collapse(*options.policy);
     } else {
       const SMS::GarlandHeckbert_plane_policies<TriangleMesh, GeomTraits> policies(mesh);
-      const auto& cost = policies.get_cost();
+      const Cost_with_length cost(policies.get_cost());
       const auto& placement = policies.get_placement();
       collapse(
         Collapse_policy_of<Profile, std::decay_t<decltype(cost)>, std::decay_t<decltype(placement)> >(cost, placement));

@@ -164,6 +164,40 @@ struct Continued_cost
   }
 };
 
+// The cost of another policy, plus a tiny fraction of the squared length of the edge. Within a plane, all edges have
+// the same cost up to rounding. Without this term, collapses continue around a few vertices, whose degrees grow without
+// bound.
+template <typename GetCost>
+class Cost_with_length
+{
+public:
+  typedef Tag_true Update_tag;
+
+  explicit Cost_with_length(const GetCost& cost) : m_cost(cost) {}
+
+  template <typename Profile, typename OptionalPoint>
+  Optional<typename Profile::FT> operator()(const Profile& profile, const OptionalPoint& placement) const
+  {
+    constexpr double weight = 1e-10; // equals a distance of 1e-5 edge lengths from a plane
+    const Optional<typename Profile::FT> cost = m_cost(profile, placement);
+    if(!cost) return cost;
+    return *cost + weight * CGAL::squared_distance(profile.p0(), profile.p1());
+  }
+  template <typename TriangleMesh, typename VertexPointMap, typename GeomTraits>
+  void initialize(const TriangleMesh& mesh, const VertexPointMap& vpm, const GeomTraits& traits) const
+  {
+    m_cost.initialize(mesh, vpm, traits);
+  }
+  template <typename Profile, typename Vertex>
+  void update_after_collapse(const Profile& profile, const Vertex& v) const
+  {
+    m_cost.update_after_collapse(profile, v);
+  }
+
+private:
+  const GetCost& m_cost;
+};
+
 // For an edge that only needs a cost, returns the policy's placement. For the selected edge, returns the cheapest of
 // several placements that passes the filter, or the policy's placement if there is none or it is too expensive. If the
 // rules allow only some positions, these replace the policy's placement; if they allow none, no placement is accepted.
