@@ -251,7 +251,7 @@ std::string excision_properties(const BS::Shell_of_soup_3& result)
   return out.str();
 }
 
-// Returns a list of the rounds of refinement: their cells, those that fail, and the seconds of the steps.
+// Returns the figures of each round of refinement: numbers of cells and facets, and the seconds of each step.
 std::string rounds(const BS::Shell_report& report)
 {
   std::ostringstream out;
