@@ -165,8 +165,8 @@ struct Continued_cost
 };
 
 // A quadric error, plus a tiny fraction of the squared length of the edge. Within a plane, the errors of all edges are
-// equal up to rounding. Without this term, collapses concentrate at a few vertices, whose degrees grow without bound. Far
-// from the origin, rounding errors may exceed the term.
+// equal up to rounding. Without this term, collapses concentrate at a few vertices, whose degrees grow without bound.
+// Far from the origin, rounding errors may exceed the term.
 template <typename GetCost>
 class Cost_with_length
 {
