@@ -128,7 +128,7 @@ namespace CGAL {
  *       \cgalParamDescription{vertices with a smaller `Bspline_shells::vertex_cone_margin()` are truncated if this at
  *         least doubles the margin; at least 0, and less than 1}
  *       \cgalParamType{`double`}
- *       \cgalParamDefault{0.01}
+ *       \cgalParamDefault{0.02}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{energy_weights}
  *       \cgalParamDescription{weights of the terms of the energy that the field minimizes}

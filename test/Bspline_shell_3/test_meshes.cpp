@@ -124,6 +124,31 @@ Mesh pyramid(int sides, double height)
   return mesh;
 }
 
+Mesh grooved_block(double angle, double depth)
+{
+  const double half = std::tan(angle * std::acos(-1.) / 360) * std::abs(depth);
+  const std::vector<std::array<double, 2> > section = {
+    { 0, 0 }, { 1, 0 }, { 1, 0.4 }, { 0.5 + half, 0.4 }, { 0.5, 0.4 - depth }, { 0.5 - half, 0.4 }, { 0, 0.4 }
+  };
+  typedef std::vector<std::array<unsigned, 3> > Triangles;
+  const Triangles cap = depth > 0 ? Triangles{ { 0, 1, 4 }, { 1, 2, 3 }, { 1, 3, 4 }, { 0, 4, 5 }, { 0, 5, 6 } }
+                                  : Triangles{ { 0, 1, 3 }, { 1, 2, 3 }, { 3, 4, 5 }, { 0, 3, 5 }, { 0, 5, 6 } };
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> front, back;
+  for(const auto& p : section) front.push_back(mesh.add_vertex(Point_3(p[0], 0, p[1])));
+  for(const auto& p : section) back.push_back(mesh.add_vertex(Point_3(p[0], 0.5, p[1])));
+  for(std::size_t i = 0; i < section.size(); ++i) {
+    const std::size_t j = (i + 1) % section.size();
+    mesh.add_face(front[i], back[i], back[j]);
+    mesh.add_face(front[i], back[j], front[j]);
+  }
+  for(const auto& t : cap) {
+    mesh.add_face(front[t[0]], front[t[1]], front[t[2]]);
+    mesh.add_face(back[t[0]], back[t[2]], back[t[1]]);
+  }
+  return mesh;
+}
+
 Mesh bipyramid(int corners, int step, double height)
 {
   Mesh mesh;

@@ -212,6 +212,16 @@ TEST_CASE("Thin parts: a threshold steeper than the field is rejected, and the p
   CHECK(places > 0);
 }
 
+TEST_CASE("Thin parts: grooves and fins of 10 degrees, narrower than the shell, are certified with few cells")
+{
+  for(double depth : { 0.05, 0.1, -0.05, -0.1 }) {
+    const Mesh mesh = grooved_block(10, depth);
+    const Shell shell = CGAL::certified_bspline_shell_3(mesh);
+    check_certified(mesh, shell);
+    CHECK(shell.report().cells < 10000);
+  }
+}
+
 TEST_CASE("Thin parts: refinement at a folded fan ends, and reports the place if it is not certified", "[slow]")
 {
   for(double margin : { 0.1, 0.01 }) {

@@ -24,6 +24,13 @@ struct Condition_tuning
   std::size_t max_pieces = 48;
   /// Smallest cosine between a direction and every normal nearby for which the direction is considered common to them.
   double least_common_cosine = 0.01;
+  /// Facets are at a fold if the slope possible at one of their vertices, or along the common direction of facets, is
+  /// below this: their normals differ by more than 166 degrees. Without conditions at folds, a block with a groove of
+  /// 10 degrees is not certified; with 0.3, zigzags of three facets are no longer certified.
+  double fold_margin = 0.12;
+  /// Distance from a cell within which facets count for the common direction, in widths of the cell. With 0, facets on
+  /// the other side of a groove are missed in some cells; with 0.5, facets beyond it count.
+  double fold_reach = 0.35;
   /// Slope required in a cell with a gap, as a multiple of gap / cell width.
   double slope_at_gap = 0.25;
   /// Cells at a gap are split in one round until their width is at most this multiple of the gap.

@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_CORRECTED_FIELD_H
 #define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_CORRECTED_FIELD_H
 
+#include <CGAL/Bspline_shell_3/Construction/Condition_tuning.h>
 #include <CGAL/Bspline_shell_3/Construction/Examined_field.h>
 #include <CGAL/Bspline_shell_3/Construction/Fitted_field.h>
 #include <CGAL/Bspline_shell_3/Construction/Marked_cells.h>
@@ -15,6 +16,7 @@
 #include <CGAL/Bspline_shell_3/Construction/Refinement_problem.h>
 #include <CGAL/Bspline_shell_3/Construction/Refinement_tuning.h>
 #include <CGAL/Bspline_shell_3/Construction/failing_facets.h>
+#include <CGAL/Bspline_shell_3/Construction/fold_conditions.h>
 #include <CGAL/Bspline_shell_3/Construction/slope_conditions.h>
 #include <CGAL/Bspline_shell_3/Construction/slopes_at_gaps.h>
 #include <CGAL/Bspline_shell_3/Fit/Slope_enforcement.h>
@@ -25,6 +27,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -58,7 +61,7 @@ public:
       switch(exchange_conditions()) {
         case Outcome::MENDED: return true;
         case Outcome::TOO_MUCH: return false;
-        case Outcome::TARGETS_LOWERED: begin();
+        case Outcome::LESS_REQUIRED: begin();
       }
     }
   }
@@ -85,7 +88,7 @@ private:
   {
     MENDED,
     TOO_MUCH,
-    TARGETS_LOWERED
+    LESS_REQUIRED
   };
 
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
@@ -97,6 +100,11 @@ private:
                                   : (std::min)(m_problem.target_slopes[facet], m_slope_limits[c]);
   }
 
+  bool is_at_fold(std::uint32_t facet) const
+  {
+    return m_problem.target_slopes[facet] < condition_tuning.fold_margin * m_problem.parameters.slope_fraction;
+  }
+
   // returns the bound on |f| on the mesh at which corrections aim, in units of the width of root cells
   double largest_on_mesh(Index c) const
   {
@@ -106,10 +114,17 @@ private:
   void begin()
   {
     m_enforcement.emplace(*m_fitted.field(), m_fitted.A(), m_fitted.b());
+    const auto needs_conditions = [&](Index c) { return !m_fitted.part() || m_fitted.part()->cells[c]; };
     m_enforcement->insert(slope_conditions<ConcurrencyTag>(
       *m_fitted.field(), m_fitted.clipped(), [&](Index c, std::uint32_t facet) { return target_slope(c, facet); },
-      [&](Index c) { return !m_fitted.part() || m_fitted.part()->cells[c]; },
-      [&](Index c) { return largest_on_mesh(c); }));
+      needs_conditions, [&](Index c) { return largest_on_mesh(c); }));
+    if(m_has_folds) {
+      const std::vector<Slope_condition> at_folds = fold_conditions<ConcurrencyTag>(
+        *m_fitted.field(), m_fitted.clipped(), [&](std::uint32_t facet) { return is_at_fold(facet); }, needs_conditions,
+        m_problem.parameters.slope_fraction);
+      m_has_folds = !at_folds.empty();
+      m_enforcement->insert(at_folds);
+    }
     std::vector<Slope_condition> conditions;
     add_conditions_of_thick_cells(conditions);
     m_enforcement->insert(conditions);
@@ -151,7 +166,8 @@ private:
       if(exchange == 0) m_budget.round().sloping_cells = slopes.violated_before;
       m_budget.round().sloping_cells_left = slopes.violated_cells.size();
       if(!slopes.enforced) {
-        if(slopes.patches == 0 && limit_slopes(slopes.violated_cells)) return Outcome::TARGETS_LOWERED;
+        if(std::exchange(m_has_folds, false)) return Outcome::LESS_REQUIRED; // the proof needs no conditions there
+        if(slopes.patches == 0 && limit_slopes(slopes.violated_cells)) return Outcome::LESS_REQUIRED;
         for(std::size_t n = 0; n < slopes.violated_cells.size(); ++n)
           m_sloping.push_back({ slopes.violated_cells[n], slopes.violated_facets[n] });
         return Outcome::TOO_MUCH;
@@ -165,7 +181,7 @@ private:
       const std::size_t thick = m_examined.thick_cells().size();
       if((thick == 0 && failures.empty()) || are_many_thick()) break;
       if(exchange + 1 == m_tuning.max_slope_exchanges) {
-        if(!failures.empty() && relax_slopes(slopes.violated_cells)) return Outcome::TARGETS_LOWERED;
+        if(!failures.empty() && relax_slopes(slopes.violated_cells)) return Outcome::LESS_REQUIRED;
         break;
       }
       if(exchange > 0 && thick > m_tuning.few_thick_cells
@@ -222,6 +238,7 @@ private:
   Examined_field<ConcurrencyTag>& m_examined;
   Refinement_budget& m_budget;
   std::optional<Slope_enforcement<Field> > m_enforcement;
+  bool m_has_folds = true;            // whether conditions at folds are required, if there are folds
   std::vector<double> m_slope_limits; // by cell; empty if no slope is limited
   std::vector<Sloping_facet> m_sloping;
 };

@@ -49,7 +49,7 @@ struct Certified_shell_parameters
   std::function<bool(const std::array<double, 3>&)> hole_requires_cap;
   bool closes_virtually = true;    ///< whether an open mesh is closed by `close_virtually()` if there is no `closing`
   bool truncates = true;           ///< whether vertices are truncated, unless self-intersections are tolerated
-  double least_cone_margin = 0.01; ///< vertices with a smaller cone margin are truncated
+  double least_cone_margin = 0.02; ///< vertices with a smaller cone margin are truncated
   std::optional<double> thickness; ///< replaces `relative_thickness`; in the units of the coordinates
   /// returns the largest thickness near a point, in the units of the coordinates; used instead of the two above
   std::function<double(const Certified_bspline_shell_3::Point_3&)> sizing;

@@ -18,11 +18,11 @@
 #include <CGAL/Bspline_shell_3/Construction/Refinement_problem.h>
 #include <CGAL/Bspline_shell_3/Construction/Refinement_tuning.h>
 #include <CGAL/Bspline_shell_3/Construction/Threshold_obstacle.h>
+#include <CGAL/Bspline_shell_3/Construction/common_direction.h>
 #include <CGAL/Bspline_shell_3/Construction/plan_refinement.h>
 #include <CGAL/Bspline_shell_3/Construction/refine_at_gaps.h>
 #include <CGAL/Bspline_shell_3/Construction/refinement_obstacles.h>
 #include <CGAL/Bspline_shell_3/Construction/similar_cells.h>
-#include <CGAL/Bspline_shell_3/Construction/slope_conditions.h>
 #include <CGAL/Bspline_shell_3/Construction/thickness_on_mesh.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Fit/Any_signed_distance_3.h>
@@ -204,7 +204,7 @@ private:
     for(int exchange = 0; exchange < m_tuning.max_obstacle_exchanges && cells > 0 && double(cells) <= most;
         ++exchange) {
       if(!plan(found).split.empty()) break;
-      most = (std::min)(most, m_tuning.obstacles_left * double(cells));
+      most = (std::min)(most, (std::max)(double(m_tuning.few_obstacles_left), m_tuning.obstacles_left * double(cells)));
       const std::vector<Slope_condition> conditions = conditions_at(obstacles);
       if(conditions.empty()) break;
       m_budget.end_step(Refinement_budget::CERTIFICATE);
