@@ -7,6 +7,7 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -56,6 +57,33 @@ TEST_CASE("Excision until certified: a soup of one sound mesh and a fin gets a c
   CHECK(&result.mesh() == &result.excised->mesh());
   CHECK(CGAL::is_closed(result.mesh()));
   CHECK(result.message().find("1 of 321 triangles") != std::string::npos);
+}
+
+TEST_CASE("Excision until certified: where the proof fails in many places on few facets, these are excised")
+{
+  const BS::Polygon_soup soup = soup_of(grooved_block(1, 0.05));
+  const auto limited = parameters::effort_limit(40000.);
+  const BS::Shell_of_soup_3 result = CGAL::certified_shell_of_soup_3(soup, limited);
+  REQUIRE(result);
+  CHECK(result.mesh_status == BS::Shell_status::SUCCESS);
+  CHECK_FALSE(result.shell_of_mesh.is_certified());
+  CHECK(result.shell_of_mesh.report().obstacles.size() > 20);
+  CHECK(result.kind() == BS::Shell_kind::EXCISED);
+  REQUIRE(result.excised);
+  CHECK(result.excised->report().number_of(Reason::NOT_CERTIFIED) > 0);
+  for(std::size_t t : result.excised->excised_triangles())
+    for(std::size_t v : result.excised->soup().triangles[t])
+      CHECK(std::abs(result.excised->soup().points[v].x() - 0.5) < 1e-3); // at the groove
+}
+
+TEST_CASE("Excision until certified: nothing is excised if the proof fails on many facets")
+{
+  const Mesh plate = subdivided(subdivided(subdivided(box(Point_3(0, 0, 0), Point_3(1, 1, 0.002)))));
+  const BS::Shell_of_soup_3 result = CGAL::certified_shell_of_soup_3(soup_of(plate), parameters::effort_limit(5000.));
+  CHECK(result.mesh_status == BS::Shell_status::SUCCESS);
+  CHECK_FALSE(result.shell_of_mesh.is_certified());
+  CHECK_FALSE(result.shell_of_mesh.report().obstacles.empty());
+  CHECK(result.excision_report.excised == 0);
 }
 
 TEST_CASE("Excision until certified: no more than the allowed share of the area is excised")

@@ -52,8 +52,9 @@ struct Excision_limits
   /// limit of effort for each of these shells, as a fraction of that of the shell of a sound mesh. Of the meshes of
   /// \cgal's data folder with a certified shell after excision, none needs more than 0.21 of the default limit.
   double effort = 1. / 4;
-  /// largest number of places without a proof that are excised. More places are a property of the surface, not defects.
-  std::size_t places = 20;
+  /// largest number of facets at places without a proof that are excised at once. More facets are a property of the
+  /// surface, not defects.
+  std::size_t facets = 20;
 };
 
 namespace internal {
@@ -169,9 +170,9 @@ private:
   // Excises facets at places of a shell that are not proved.
   bool excise_unproved()
   {
-    const auto& obstacles = m_shell.report().obstacles;
-    if(++m_shells == m_limits.shells || obstacles.empty() || obstacles.size() > m_limits.places) return false;
-    return excise(facets_at_obstacles(m_soup.mesh(), obstacles), Excision_reason::NOT_CERTIFIED, 1);
+    if(++m_shells == m_limits.shells) return false;
+    const Facets facets = facets_at_obstacles(m_soup.mesh(), m_shell.report().obstacles);
+    return facets.size() <= m_limits.facets && excise(facets, Excision_reason::NOT_CERTIFIED, 1);
   }
 
   // Changes the mesh where it was rejected.
@@ -238,9 +239,9 @@ private:
  * \brief builds a certified shell of the mesh of an excised soup, and excises more triangles where this fails.
  *
  * If the mesh cannot be closed, the facets at which this fails are excised. If the same place fails again, rings of
- * facets around it are excised, too, one more each time. If a shell is not certified because of a few places, the
- * facets there are excised, too. Components that face the wrong side are reversed. If this is impossible because they
- * are open, they are excised. Nothing is tried if most of the mesh is scattered facets without neighbors.
+ * facets around it are excised, too, one more each time. If a shell is not certified at a few facets, these are
+ * excised, too. Components that face the wrong side are reversed. If this is impossible because they are open, they are
+ * excised. Nothing is tried if most of the mesh is scattered facets without neighbors.
  *
  * \tparam Build a function that returns the `Shell` of an `Excised_soup_3::Mesh`. Its second argument is a function
  *   that returns whether the hole at a point has to be capped (`hole_requires_cap`).

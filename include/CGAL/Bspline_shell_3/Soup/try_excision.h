@@ -24,7 +24,7 @@ namespace Bspline_shells {
 namespace internal {
 
 // Returns whether excision may remove the cause of an outcome.
-inline bool may_help_excision(const Shell_of_soup_3& result, const Excision_limits& limits)
+inline bool may_help_excision(const Shell_of_soup_3& result)
 {
   switch(result.mesh_status) {
     case Shell_status::NON_MANIFOLD:
@@ -34,10 +34,7 @@ inline bool may_help_excision(const Shell_of_soup_3& result, const Excision_limi
     case Shell_status::SELF_INTERSECTION:
     case Shell_status::INCONSISTENT_ORIENTATION:
     case Shell_status::SINGULAR_VERTEX: return true;
-    case Shell_status::SUCCESS: {
-      const std::size_t places = result.shell_of_mesh.report().obstacles.size();
-      return !result.united && places > 0 && places <= limits.places;
-    }
+    case Shell_status::SUCCESS: return !result.united && !result.shell_of_mesh.report().obstacles.empty();
     default: return false;
   }
 }
@@ -60,12 +57,13 @@ template <typename Build>
 void try_excision(const Polygon_soup& soup, const std::optional<Welded_soup>& welded, const Excision_limits& limits,
                   const Build& build, Shell_of_soup_3& result)
 {
-  if(!(limits.share > 0) || !may_help_excision(result, limits)) return;
+  if(!(limits.share > 0) || !may_help_excision(result)) return;
   Excised_soup_3 excised = choose_excision(triangles_to_excise(soup, welded));
   if(result.mesh_status == Shell_status::SUCCESS && excised) {
+    const auto facets = facets_at_obstacles(excised.mesh(), result.shell_of_mesh.report().obstacles);
+    if(facets.size() > limits.facets) return;
     std::vector<std::size_t> triangles;
-    for(auto f : facets_at_obstacles(excised.mesh(), result.shell_of_mesh.report().obstacles))
-      triangles.push_back(excised.triangle_of(f));
+    for(auto f : facets) triangles.push_back(excised.triangle_of(f));
     excised = excise_also(excised, triangles, Excision_reason::NOT_CERTIFIED);
   }
   const bool is_certified = excise_until_certified(excised, result.shell_of_excised, limits, build);
