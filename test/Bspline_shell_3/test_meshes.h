@@ -44,8 +44,8 @@ Mesh pyramid(int sides, double height);
 // apices, which are the first two vertices, wind `step` times.
 Mesh bipyramid(int corners, int step, double height = 1);
 
-// Returns a block of length 1, width 0.5, and height 0.4 with a groove of a given depth across its top, whose sides
-// include an angle in degrees. If the depth is negative, there is a fin instead.
+// Returns a block of length 1, width 0.5, and height 0.4 with a V-shaped groove across its top. The sides of the groove
+// form the given angle, in degrees. If the depth is negative, there is a fin of this height instead.
 Mesh grooved_block(double angle, double depth);
 
 // Returns the boundary of a union of unit cubes, given by their least corners. No two cubes may meet only in an edge or

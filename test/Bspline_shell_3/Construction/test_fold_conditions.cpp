@@ -2,10 +2,12 @@
 #include <CGAL/Bspline_shell_3/Construction/fold_conditions.h>
 #include "mesh_in_cells.h"
 
+#include <CGAL/squared_distance_3.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -46,8 +48,17 @@ TEST_CASE("Fold conditions: in a groove and at a fin, the field must increase up
         wrong += !(c.direction[2] == Approx(1)) || !(c.least == Approx(0.2 * margin));
         const auto t = in.input.triangle(BS::Input_mesh_3::Face_index(c.facet));
         wrong += !(CGAL::squared_distance(p, Kernel::Triangle_3(t[0], t[1], t[2])) < 1e-24);
-        if(is_in_groove(in, c.facet)) (p.x() < 0.5 ? has_left : has_right) = true;
+        if(is_in_groove(in, c.facet)) (in.clipped.normal(c.facet)[0] > 0 ? has_left : has_right) = true;
       }
+      // Each cell at the groove or fin has conditions, except near the ends.
+      std::size_t without = 0;
+      for(const auto& piece : in.clipped.pieces()) {
+        const double y = in.field.cell(piece.cell).corner()[1];
+        if(!is_in_groove(in, piece.facet) || y < 0.12 || y + width > 0.38) continue;
+        without += std::none_of(conditions.begin(), conditions.end(),
+                                [&](const auto& c) { return c.cell == piece.cell; });
+      }
+      CHECK(without == 0);
       CHECK(wrong == 0);
       CHECK(has_left);
       CHECK(has_right);
@@ -55,20 +66,24 @@ TEST_CASE("Fold conditions: in a groove and at a fin, the field must increase up
         in.field, in.clipped, [&](std::uint32_t facet) { return is_in_groove(in, facet); }, [](Index) { return true; },
         0.2);
       CHECK(std::equal(conditions.begin(), conditions.end(), in_parallel.begin(), in_parallel.end(),
-                       [](const auto& a, const auto& b) { return a.cell == b.cell && a.position == b.position; }));
+                       [](const auto& a, const auto& b) {
+                         return a.cell == b.cell && a.facet == b.facet && a.position == b.position
+                                && a.direction == b.direction && a.least == b.least;
+                       }));
     }
 }
 
-TEST_CASE("Fold conditions: there are none in wide grooves, between opposite walls, or in cells that need none")
+TEST_CASE("Fold conditions: there are none in wide grooves, in grooves that are too narrow, or in cells that need none")
 {
   CHECK(conditions_of(Mesh_in_cells(grooved_block(60, 0.1), 0.125)).empty());
-  // No direction faces both sides of a groove that is this narrow.
+  // The margin of the common direction is below least_common_cosine.
   CHECK(conditions_of(Mesh_in_cells(grooved_block(0.5, 0.1), 0.125)).empty());
   const Mesh_in_cells in(grooved_block(10, 0.1), 0.125);
   CHECK(BS::fold_conditions(
           in.field, in.clipped, [](std::uint32_t) { return false; }, [](Index) { return true; }, 0.2)
           .empty());
   const std::vector<BS::Slope_condition> all = conditions_of(in);
+  REQUIRE_FALSE(all.empty());
   const Index c = all.front().cell;
   const std::vector<BS::Slope_condition> there = BS::fold_conditions(
     in.field, in.clipped, [&](std::uint32_t facet) { return is_in_groove(in, facet); }, [&](Index n) { return n == c; },

@@ -2,6 +2,8 @@
 #include <CGAL/Bspline_shell_3/Construction/slope_conditions.h>
 #include "mesh_in_cells.h"
 
+#include <CGAL/tags.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

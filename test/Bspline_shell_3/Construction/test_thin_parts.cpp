@@ -212,7 +212,7 @@ TEST_CASE("Thin parts: a threshold steeper than the field is rejected, and the p
   CHECK(places > 0);
 }
 
-TEST_CASE("Thin parts: grooves and fins of 10 degrees, narrower than the shell, are certified with few cells")
+TEST_CASE("Thin parts: grooves and fins of 10 degrees, narrower than a root cell, are certified with few cells")
 {
   for(double depth : { 0.05, 0.1, -0.05, -0.1 }) {
     const Mesh mesh = grooved_block(10, depth);
@@ -250,7 +250,7 @@ TEST_CASE("Thin parts: refinement at a folded fan ends, and reports the place if
 TEST_CASE(
   "Thin parts: with enforced slopes, narrowed thresholds and partial fits, the number of threads does not matter")
 {
-  const Mesh mesh = demo_mesh("triceratops.off");
+  const Mesh mesh = demo_mesh("homer.off");
   const Shell one = CGAL::certified_bspline_shell_3<CGAL::Sequential_tag>(mesh),
               two = CGAL::certified_bspline_shell_3<CGAL::Parallel_if_available_tag>(mesh);
   REQUIRE(one);

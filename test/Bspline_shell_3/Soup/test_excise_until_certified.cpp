@@ -6,6 +6,7 @@
 
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -71,19 +72,36 @@ TEST_CASE("Excision until certified: where the proof fails in many places on few
   CHECK(result.kind() == BS::Shell_kind::EXCISED);
   REQUIRE(result.excised);
   CHECK(result.excised->report().number_of(Reason::NOT_CERTIFIED) > 0);
+  // Each excised triangle touches the groove.
+  const BS::Soup_triangles& triangles = result.excised->soup();
   for(std::size_t t : result.excised->excised_triangles())
-    for(std::size_t v : result.excised->soup().triangles[t])
-      CHECK(std::abs(result.excised->soup().points[v].x() - 0.5) < 1e-3); // at the groove
+    CHECK(std::any_of(triangles.triangles[t].begin(), triangles.triangles[t].end(),
+                      [&](std::size_t v) { return std::abs(triangles.points[v].x() - 0.5) < 1e-3; }));
 }
 
-TEST_CASE("Excision until certified: nothing is excised if the proof fails on many facets")
+TEST_CASE("Excision until certified: a mesh is not excised if the proof fails on many facets")
 {
   const Mesh plate = subdivided(subdivided(subdivided(box(Point_3(0, 0, 0), Point_3(1, 1, 0.002)))));
-  const BS::Shell_of_soup_3 result = CGAL::certified_shell_of_soup_3(soup_of(plate), parameters::effort_limit(5000.));
+  const BS::Shell_of_soup_3 result = CGAL::certified_shell_of_soup_3(
+    soup_of(plate), parameters::effort_limit(5000.).relative_thickness(0.05));
   CHECK(result.mesh_status == BS::Shell_status::SUCCESS);
   CHECK_FALSE(result.shell_of_mesh.is_certified());
-  CHECK_FALSE(result.shell_of_mesh.report().obstacles.empty());
+  CHECK(result.shell_of_mesh.report().obstacles.size() > BS::Excision_limits().facets);
   CHECK(result.excision_report.excised == 0);
+}
+
+TEST_CASE("Excision until certified: nothing is excised if the proof fails on more facets than allowed")
+{
+  for(std::size_t facets : { 0, 20 }) {
+    BS::Excised_soup_3 soup = chosen(soup_of(grooved_block(1, 0.05)));
+    BS::Excision_limits limits;
+    limits.facets = facets;
+    Shell shell;
+    BS::excise_until_certified(soup, shell, limits, [&](const Mesh& mesh, const auto& caps) {
+      return CGAL::certified_bspline_shell_3(mesh, parameters::effort_limit(20000.).hole_requires_cap(caps));
+    });
+    CHECK((soup.report().excised > 0) == (facets > 0));
+  }
 }
 
 TEST_CASE("Excision until certified: no more than the allowed share of the area is excised")

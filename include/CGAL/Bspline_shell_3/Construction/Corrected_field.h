@@ -69,6 +69,7 @@ public:
   /// adds conditions, and corrects the field
   bool correct(const std::vector<Slope_condition>& conditions)
   {
+    m_at_obstacles.insert(m_at_obstacles.end(), conditions.begin(), conditions.end());
     m_enforcement->insert(conditions);
     return correct();
   }
@@ -125,7 +126,7 @@ private:
       m_has_folds = !at_folds.empty();
       m_enforcement->insert(at_folds);
     }
-    std::vector<Slope_condition> conditions;
+    std::vector<Slope_condition> conditions = m_at_obstacles;
     add_conditions_of_thick_cells(conditions);
     m_enforcement->insert(conditions);
   }
@@ -166,7 +167,10 @@ private:
       if(exchange == 0) m_budget.round().sloping_cells = slopes.violated_before;
       m_budget.round().sloping_cells_left = slopes.violated_cells.size();
       if(!slopes.enforced) {
-        if(std::exchange(m_has_folds, false)) return Outcome::LESS_REQUIRED; // the proof needs no conditions there
+        if(std::exchange(m_has_folds, false)) { // the proof needs no conditions there
+          if(slopes.patches > 0) m_examined.has_changed(m_fitted.update());
+          return Outcome::LESS_REQUIRED;
+        }
         if(slopes.patches == 0 && limit_slopes(slopes.violated_cells)) return Outcome::LESS_REQUIRED;
         for(std::size_t n = 0; n < slopes.violated_cells.size(); ++n)
           m_sloping.push_back({ slopes.violated_cells[n], slopes.violated_facets[n] });
@@ -181,7 +185,8 @@ private:
       const std::size_t thick = m_examined.thick_cells().size();
       if((thick == 0 && failures.empty()) || are_many_thick()) break;
       if(exchange + 1 == m_tuning.max_slope_exchanges) {
-        if(!failures.empty() && relax_slopes(slopes.violated_cells)) return Outcome::LESS_REQUIRED;
+        if(!failures.empty() && (std::exchange(m_has_folds, false) || relax_slopes(slopes.violated_cells)))
+          return Outcome::LESS_REQUIRED;
         break;
       }
       if(exchange > 0 && thick > m_tuning.few_thick_cells
@@ -238,8 +243,9 @@ private:
   Examined_field<ConcurrencyTag>& m_examined;
   Refinement_budget& m_budget;
   std::optional<Slope_enforcement<Field> > m_enforcement;
-  bool m_has_folds = true;            // whether conditions at folds are required, if there are folds
-  std::vector<double> m_slope_limits; // by cell; empty if no slope is limited
+  std::vector<Slope_condition> m_at_obstacles; // the added conditions
+  bool m_has_folds = true;                     // whether conditions at folds are required, if there are folds
+  std::vector<double> m_slope_limits;          // by cell; empty if no slope is limited
   std::vector<Sloping_facet> m_sloping;
 };
 

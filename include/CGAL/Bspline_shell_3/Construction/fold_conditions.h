@@ -27,17 +27,17 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief returns conditions for a field at *folds*, where facets at a sharp edge or vertex almost cover each other: as
- * in a narrow groove, or at a thin fin.
+ * \brief returns conditions for a field at *folds*: sharp edges and vertices, as in a narrow groove or at a thin fin.
  *
  * Near a fold, cells do not resolve the space between the facets, however small they are. If the field is near zero on
  * both sides, it has critical points between them. Instead, it must increase along a direction at less than 90 degrees
  * to all normals nearby, out of the groove or the fin. The conditions require this at the points of
- * `visit_condition_points()`.
+ * `visit_condition_points()`. There are none if the margin of the common direction is at least
+ * `Condition_tuning::fold_margin`, or if there is no common direction.
  *
  * \tparam ConcurrencyTag unless it is `Sequential_tag`, functions are called concurrently
- * \param is_at_fold whether the possible slope on a facet is below `Condition_tuning::fold_margin`. Only cells with
- *   such facets have conditions.
+ * \param is_at_fold whether the slope possible at a vertex of a facet is below `Condition_tuning::fold_margin`. Only
+ *   cells with such facets have conditions.
  * \param needs_conditions whether a cell needs conditions
  * \param fraction fraction of the possible slope
  */

@@ -204,7 +204,8 @@ private:
     for(int exchange = 0; exchange < m_tuning.max_obstacle_exchanges && cells > 0 && double(cells) <= most;
         ++exchange) {
       if(!plan(found).split.empty()) break;
-      most = (std::min)(most, (std::max)(double(m_tuning.few_obstacles_left), m_tuning.obstacles_left * double(cells)));
+      const double few = double(m_tuning.few_obstacles_left);
+      most = (std::min)({ most, double(cells), (std::max)(few, m_tuning.obstacles_left * double(cells)) });
       const std::vector<Slope_condition> conditions = conditions_at(obstacles);
       if(conditions.empty()) break;
       m_budget.end_step(Refinement_budget::CERTIFICATE);

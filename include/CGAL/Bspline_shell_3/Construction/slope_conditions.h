@@ -13,6 +13,8 @@
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
+#include <CGAL/tags.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>

@@ -22,7 +22,7 @@ namespace Bspline_shells {
 struct Slope_condition
 {
   std::uint32_t cell;              ///< leaf cell of the field
-  std::uint32_t facet;             ///< facet that has the direction as its normal, for reports
+  std::uint32_t facet;             ///< facet at the point or near it, for reports
   std::array<double, 3> position;  ///< position in the cell, in [0, 1]^3
   std::array<double, 3> direction; ///< unit vector
   double least;                    ///< \f$\delta\f$, per user unit

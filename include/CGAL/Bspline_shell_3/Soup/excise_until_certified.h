@@ -52,8 +52,8 @@ struct Excision_limits
   /// limit of effort for each of these shells, as a fraction of that of the shell of a sound mesh. Of the meshes of
   /// \cgal's data folder with a certified shell after excision, none needs more than 0.21 of the default limit.
   double effort = 1. / 4;
-  /// largest number of facets at places without a proof that are excised at once. More facets are a property of the
-  /// surface, not defects.
+  /// largest number of facets closest to the listed obstacles that are excised at once, without rings. If there are
+  /// more, the cause is the surface, not a few defects.
   std::size_t facets = 20;
 };
 
@@ -239,7 +239,7 @@ private:
  * \brief builds a certified shell of the mesh of an excised soup, and excises more triangles where this fails.
  *
  * If the mesh cannot be closed, the facets at which this fails are excised. If the same place fails again, rings of
- * facets around it are excised, too, one more each time. If a shell is not certified at a few facets, these are
+ * facets around it are excised, too, one more each time. If the proof fails on a few facets, they are
  * excised, too. Components that face the wrong side are reversed. If this is impossible because they are open, they are
  * excised. Nothing is tried if most of the mesh is scattered facets without neighbors.
  *
