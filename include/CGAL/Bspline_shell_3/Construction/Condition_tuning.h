@@ -12,8 +12,8 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Construction
-/// \brief tuned numbers of the conditions on slopes and of cells at gaps. They affect the time,
-/// the number of cells, and whether the proof succeeds, but no proof depends on them.
+/// \brief tuned numbers of the conditions on slopes and of cells at gaps. They affect time, number of cells, and
+/// whether the proof succeeds, but no proof depends on them.
 struct Condition_tuning
 {
   /// Largest width of a piece of the mesh, in cells, for which one condition at its center suffices. Larger pieces also
@@ -26,8 +26,8 @@ struct Condition_tuning
   double least_common_cosine = 0.01;
   /// A cell is at a fold if the slope possible at a vertex of one of its facets is below this, and so is the slope
   /// possible along the common direction of the facets nearby. At an edge, the normals then differ by more than 166
-  /// degrees. Without conditions at folds, a block with a groove of 10 degrees is not certified. With 0.3, zigzags of
-  /// three facets are no longer certified.
+  /// degrees. Without conditions at folds, a block with a groove of 10 degrees is not certified. With 0.3, hand is no
+  /// longer certified after simplification to 1000 facets, where two folds have one facet in between.
   double fold_margin = 0.12;
   /// Distance from a cell within which facets count for the common direction, in widths of the cell. With 0, facets on
   /// the other side of a groove are missed in some cells; with 0.5, facets beyond it count.

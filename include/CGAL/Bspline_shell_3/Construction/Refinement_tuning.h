@@ -76,8 +76,9 @@ struct Refinement_tuning
   std::size_t cells_to_split_alone = 38;
   /// Up to this number of cells with obstacles, only their face neighbors are split with them.
   std::size_t few_obstacles = 8;
-  /// Number of times that the field is corrected at obstacles, and the largest fraction of the cells with obstacles
-  /// that a correction may leave. The fraction does not apply to `few_obstacles_left` cells or fewer.
+  /// Number of times that the field is corrected at obstacles. It is not corrected again if more than the fraction
+  /// `obstacles_left` of the cells with obstacles remain, unless these are at most `few_obstacles_left` and no more
+  /// than before.
   int max_obstacle_exchanges = 8;
   double obstacles_left = 0.75;
   std::size_t few_obstacles_left = 8;

@@ -239,9 +239,9 @@ private:
  * \brief builds a certified shell of the mesh of an excised soup, and excises more triangles where this fails.
  *
  * If the mesh cannot be closed, the facets at which this fails are excised. If the same place fails again, rings of
- * facets around it are excised, too, one more each time. If the proof fails on a few facets, they are
- * excised, too. Components that face the wrong side are reversed. If this is impossible because they are open, they are
- * excised. Nothing is tried if most of the mesh is scattered facets without neighbors.
+ * facets around it are excised, too, one more each time. If the proof fails on a few facets, they are excised, too.
+ * Components that face the wrong side are reversed. If this is impossible because they are open, they are excised.
+ * Nothing is tried if most of the mesh is scattered facets without neighbors.
  *
  * \tparam Build a function that returns the `Shell` of an `Excised_soup_3::Mesh`. Its second argument is a function
  *   that returns whether the hole at a point has to be capped (`hole_requires_cap`).
