@@ -19,7 +19,7 @@ inline std::string quoted(const std::string& text)
   return result + "\"";
 }
 
-// Prints numbers as usual, and null for those that are not finite.
+// Prints finite numbers as usual, and others as null.
 class JSON_numbers : public std::num_put<char>
 {
   typedef std::ostreambuf_iterator<char> Out;

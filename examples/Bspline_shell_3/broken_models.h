@@ -99,7 +99,7 @@ inline Broken_model figure()
   return model;
 }
 
-// A ball with two stray triangles: one hangs at an edge of the ball, the other one at a vertex.
+// A ball with two stray triangles: one is attached to an edge of the ball, the other one to a vertex.
 inline Broken_model ball_with_stray_triangles()
 {
   Broken_model model;

@@ -32,7 +32,7 @@ int main(int argc, char** argv)
     std::cerr << shell.message() << std::endl;
     return EXIT_FAILURE;
   }
-  std::cout << "The mesh of the sphere lies between the levels " << shell.inner_level() << " and "
+  std::cout << "The mesh of the sphere lies between the thresholds " << shell.inner_level() << " and "
             << shell.outer_level() << "." << std::endl;
   return EXIT_SUCCESS;
 }

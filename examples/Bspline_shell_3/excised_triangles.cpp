@@ -27,7 +27,7 @@ int main()
   if(found.certification() != BS::Certification::EXCEPT_EXCISED) return EXIT_FAILURE;
   const BS::Excised_soup_3& soup = *found.excised;
 
-  // Simplify the mesh without the excised triangles. The edges and vertices at which they hang are kept.
+  // Simplify the mesh without the excised triangles. The edges and vertices to which they are attached are kept.
   Mesh coarse = soup.mesh();
   auto is_constrained = coarse.add_property_map<Mesh::Edge_index, bool>("e:is_constrained", false).first;
   BS::constrain_pins(soup, is_constrained);
@@ -39,7 +39,7 @@ int main()
   }
   coarse.collect_garbage();
 
-  // Join both. This proves that the simplified mesh touches the excised triangles exactly where the ball did.
+  // Join both. This checks exactly that the mesh still has the same vertices and edges in common with the triangles.
   const BS::Rejoined_soup_3 whole = BS::rejoin_excised(soup, coarse);
   if(!whole) {
     std::cerr << message(whole.verdict.status) << std::endl;

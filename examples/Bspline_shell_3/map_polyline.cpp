@@ -50,7 +50,7 @@ int main(int argc, char** argv)
     }
   }
 
-  // The map is of no use for the cut mesh.
+  // The cut changes `coarse`, so the map must not be used afterwards.
   auto is_cut = coarse.add_property_map<Mesh::Edge_index, bool>("e:is_cut", false).first;
   const auto report = BS::cut_along_polylines(coarse, images, shell, BS::parameters::edge_is_constrained_map(is_cut));
   std::cout << message(report.status) << "\n"

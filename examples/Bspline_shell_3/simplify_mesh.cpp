@@ -34,7 +34,7 @@ int main(int argc, char** argv)
   Mesh mesh;
   if(!read_mesh(file, mesh)) return EXIT_FAILURE;
   const auto shell = CGAL::certified_bspline_shell_3(mesh, BS::parameters::relative_thickness(thickness));
-  if(!shell) {
+  if(!shell.is_certified()) {
     std::cerr << shell.message() << std::endl;
     return EXIT_FAILURE;
   }

@@ -33,7 +33,7 @@ int main(int argc, char** argv)
     std::cerr << shell.message() << std::endl;
     return EXIT_FAILURE;
   }
-  std::cout << "levels " << shell.inner_level() << " and " << shell.outer_level() << ", thickness "
+  std::cout << "thresholds " << shell.inner_level() << " and " << shell.outer_level() << ", thickness "
             << 100 * shell.relative_thickness() << " % of the bounding box\n";
 
   const Kernel::Point_3 p = mesh.point(*mesh.vertices().begin()); // f is defined on the mesh

@@ -46,6 +46,7 @@ namespace CGAL {
  *     \cgalParamNBegin{grid_spacing}
  *       \cgalParamDescription{edge length of a cell in the units of the coordinates, used instead of `resolution`}
  *       \cgalParamType{`double`}
+ *       \cgalParamDefault{from `resolution`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{number_of_rings}
  *       \cgalParamDescription{number of layers of cells around the cells that the mesh intersects}
@@ -65,12 +66,13 @@ namespace CGAL {
  *     \cgalParamNBegin{spd_solver}
  *       \cgalParamDescription{the linear solver, which is copied unless it is passed by `std::ref()`}
  *       \cgalParamType{a model of `SPDSolver`}
- *       \cgalParamDefault{`Bspline_shells::Conjugate_gradient_solver`}
+ *       \cgalParamDefault{`Bspline_shells::Conjugate_gradient_solver` with a tolerance of 1e-6}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{signed_distance_oracle}
  *       \cgalParamDescription{a function of a point, for example a lambda expression, used instead of the signed
  *         distance to the mesh; it is copied unless it is passed by `std::cref()`}
  *       \cgalParamType{a model of `SignedDistanceOracle_3`}
+ *       \cgalParamDefault{the signed distance to the mesh (`Bspline_shells::Mesh_signed_distance_3`)}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{memory_limit}
  *       \cgalParamDescription{approximate number of bytes that the construction may use}
@@ -85,13 +87,12 @@ namespace CGAL {
  *     \cgalParamNEnd
  *     \cgalParamNBegin{allow_self_intersections}
  *       \cgalParamDescription{if `true`, self-intersecting meshes are accepted; the sign of the distance at a point is
- *         then that of its closest facet}
+ *         then that of its closest facet. The shell of a self-intersecting mesh is not certified.}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{allow_singular_vertices}
- *       \cgalParamDescription{if `true`, meshes with singular vertices are accepted: vertices whose facets face no
- *         common direction}
+ *       \cgalParamDescription{if `true`, meshes with singular vertices are accepted; their shells are not certified}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd
@@ -104,6 +105,7 @@ namespace CGAL {
  *       \cgalParamDescription{receives the progress and can cancel the construction; it is copied unless it is passed
  *         by `std::ref()`}
  *       \cgalParamType{a model of `ShellVisitor`}
+ *       \cgalParamDefault{`Bspline_shells::Default_shell_visitor`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{vertex_point_map}
  *       \cgalParamDescription{a property map from the vertices of `mesh` to their points}

@@ -37,7 +37,8 @@ namespace CGAL {
  * are split where \f$|f|\f$ is too large on the mesh for the requested thickness, and where the certificate fails.
  * Refinement ends when all claims are proved, when it no longer helps, or when a limit is reached;
  * `Bspline_shells::Shell_report::refinement` is the reason. The thresholds are values of \f$f\f$: minus and plus half
- * the requested thickness, and closer to zero at thin parts and narrow gaps.
+ * the requested thickness. They are closer to zero at thin parts and narrow gaps. If refinement ends early, they may be
+ * farther from zero where \f$|f|\f$ is larger on the mesh.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam PolygonMesh a model of `FaceListGraph`
@@ -47,19 +48,19 @@ namespace CGAL {
  * \param np optional named parameters:
  *   \cgalNamedParamsBegin
  *     \cgalParamNBegin{relative_thickness}
- *       \cgalParamDescription{the largest thickness of the shell, as a fraction of the *box size*, the length of the
+ *       \cgalParamDescription{the requested thickness of the shell, as a fraction of the *box size*, the length of the
  *         longest side of the mesh's bounding box; positive, and less than 20 / `resolution`}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{0.01}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{thickness}
- *       \cgalParamDescription{the largest thickness in the units of the coordinates, used instead of
+ *       \cgalParamDescription{the requested thickness in the units of the coordinates, used instead of
  *         `relative_thickness`; same bounds, times the box size}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{`relative_thickness` of the box size}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{sizing}
- *       \cgalParamDescription{a function that returns the largest thickness near a point in the units of the
+ *       \cgalParamDescription{a function that returns the requested thickness near a point in the units of the
  *         coordinates, used instead of `relative_thickness` and `thickness`; its values must be positive and finite.
  *         Unless `ConcurrencyTag` is `Sequential_tag`, it is called concurrently.}
  *       \cgalParamType{a function object with `double operator()(const Certified_bspline_shell_3::Point_3&) const`}
@@ -75,8 +76,8 @@ namespace CGAL {
  *       \cgalParamDescription{number of cells along the longest side of the mesh's bounding box before any cell is
  *         split (*root cells*); positive}
  *       \cgalParamType{`double`}
- *       \cgalParamDefault{30, or 24 or 20 if most of the mesh is nearly flat in wider cells
- *         (`Bspline_shells::choose_resolution()`) and `sizing` is not given}
+ *       \cgalParamDefault{30; without `sizing`, 24 or 20 if the thickness is at least 1/110 of the box size and most of
+ *         the mesh is nearly flat in wider cells (`Bspline_shells::choose_resolution()`)}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{time_limit}
  *       \cgalParamDescription{seconds after which the construction ends with the status `TIME_LIMIT_EXCEEDED` and
@@ -87,14 +88,14 @@ namespace CGAL {
  *     \cgalParamNEnd
  *     \cgalParamNBegin{effort_limit}
  *       \cgalParamDescription{the total number of cells that may be fitted in all rounds of refinement. After the first
- *         round, a round that would exceed this number does not begin. Unlike a time limit, this limit yields the same
- *         shell on every machine; the default takes about a minute on two cores.}
+ *         round, a round that would exceed this number does not begin. Unlike a time limit, this limit does not make
+ *         the shell depend on the speed of the machine; the default takes about a minute on two cores.}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{1.5e6}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{memory_limit}
  *       \cgalParamDescription{approximate number of bytes. After the first round, a round that would need more does not
- *         begin. If the root cells that the mesh enters need more, there is no shell, and the status is
+ *         begin. If the root cells that the mesh enters need more, no shell is built, and the status is
  *         `MEMORY_LIMIT_EXCEEDED`.}
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{4e9}
@@ -131,7 +132,8 @@ namespace CGAL {
  *       \cgalParamDefault{0.02}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{energy_weights}
- *       \cgalParamDescription{weights of the terms of the energy that the field minimizes}
+ *       \cgalParamDescription{weights of the terms of the energy that the field minimizes. A given object replaces all
+ *         defaults: members that are not set have the defaults of `bspline_shell_3()`.}
  *       \cgalParamType{`Bspline_shells::Energy_weights`}
  *       \cgalParamDefault{`normal` = 10, `surface` = 100, `coefficients` = 0.012, `mu` = 0, `singular_hessian` = 0}
  *     \cgalParamNEnd
@@ -148,7 +150,7 @@ namespace CGAL {
  *     \cgalParamNEnd
  *     \cgalParamNBegin{allow_self_intersections}
  *       \cgalParamDescription{if `true`, self-intersecting meshes are accepted; the sign of the distance at a point is
- *         then that of its closest facet}
+ *         then that of its closest facet. The shell of a self-intersecting mesh is not certified.}
  *       \cgalParamType{`bool`}
  *       \cgalParamDefault{`false`}
  *     \cgalParamNEnd

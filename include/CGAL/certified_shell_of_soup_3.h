@@ -40,10 +40,10 @@ namespace CGAL {
  * The polygons are repaired (`Bspline_shells::repair_soup()`). If they are not closed, cracks between points that
  * differ in the last digits are closed, too (`Bspline_shells::weld_soup()`). If the polygons then form a mesh, a shell
  * of this mesh is built, with a virtual closing if the mesh is open. If the mesh intersects itself because closed parts
- * are pushed into each other, the parts are united first (`Bspline_shells::unite_parts()`). If the polygons do not form
- * a mesh, or if this shell is not certified, triangles with defects are excised (`Bspline_shells::choose_excision()`),
- * and a shell of the others is built. If too many would be excised, or if this shell is not certified, either, a proxy
- * is built with its shell (`certified_soup_proxy_3()`).
+ * overlap, the parts are united first (`Bspline_shells::unite_parts()`). If the polygons do not form a mesh, or if this
+ * shell is not certified, triangles with defects are excised. A shell of the others is then built
+ * (`Bspline_shells::choose_excision()`). If too many would be excised, or if this shell is not certified either, a
+ * proxy is built with its shell (`certified_soup_proxy_3()`).
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`; all give the same result
  * \tparam NamedParameters a sequence of \ref BsplineShell3NamedParameters "named parameters"

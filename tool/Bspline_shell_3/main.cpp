@@ -99,11 +99,10 @@ std::string wrong_usage(const CLI::App& program, const CLI::App& app, const CLI:
   const bool is_option = word.compare(0, 1, "-") == 0;
   const std::string similar = nearest(word, app), hint = similar.empty() ? "." : ": did you mean " + similar + "?";
   if(word == "%") return "A percentage is written without a space: 1%.";
-  if(is_option) return "There is no option " + word + hint;
-  if(!has_command) return "There is no command " + word + (similar.empty() ? "." + commands : hint);
+  if(is_option) return "Unknown option " + word + hint;
+  if(!has_command) return "Unknown command " + word + (similar.empty() ? "." + commands : hint);
   const bool has_output = app.get_option_no_throw("--output") != nullptr && app.count("--output") == 0;
-  return "The argument " + word + " is one too many"
-         + (has_output ? ": to name the result, use -o " + word + "." : std::string("."));
+  return "Unexpected argument " + word + (has_output ? ": to name the result, use -o " + word + "." : std::string("."));
 }
 
 int refuse(const CLI::App& program, const CLI::ParseError& error)
@@ -123,8 +122,7 @@ void add_length(CLI::App& command, const std::string& name, std::optional<Tool::
       name,
       [name, &length](const std::string& value) {
         length = Tool::read_length(value);
-        if(!length)
-          throw CLI::ValidationError(name, "cannot be " + value + ": give a positive number, or a percentage.");
+        if(!length) throw CLI::ValidationError(name, "must be a positive number or a percentage, not " + value + ".");
       },
       text)
     ->type_name("LENGTH");
@@ -137,8 +135,9 @@ CLI::Validator positive(double largest = std::numeric_limits<double>::infinity()
     [largest](std::string& text) {
       double x = 0;
       if(Tool::read_number(text, x) && x > 0 && x <= largest) return std::string();
-      return "cannot be " + text + ": give a positive number"
-             + (std::isfinite(largest) ? ", at most " + std::to_string(int(largest)) + "." : ".");
+      return "must be a positive number"
+             + (std::isfinite(largest) ? " and at most " + std::to_string(int(largest)) : std::string()) + ", not "
+             + text + ".";
     },
     "");
 }
@@ -150,7 +149,7 @@ CLI::Validator natural()
     [](std::string& text) {
       const bool is_natural = !text.empty() && text.find_first_not_of("0123456789") == text.npos
                               && text.find_first_not_of('0') != text.npos;
-      return is_natural ? std::string() : "cannot be " + text + ": give a positive integer.";
+      return is_natural ? std::string() : "must be a positive integer, not " + text + ".";
     },
     "");
 }
@@ -163,9 +162,10 @@ void add_shell(CLI::App& command, Tool::Shell_options& shell, const std::string&
   add_length(command, "--weld", shell.weld,
              "Merge points within this distance if this closes cracks (default: a few units in the last digit)");
   command
-    .add_option("--excise", shell.excised_percentage,
-                "Largest part of the area, in percent, that may be left out of the shell because of intersections and "
-                "other defects; it stays as it is")
+    .add_option(
+      "--excise", shell.excised_percentage,
+      "Largest part of the area, in percent, that may be excluded from the shell because of intersections and "
+      "other defects; this part is not changed")
     ->check(CLI::Range(0., 100.))
     ->capture_default_str();
 }
@@ -236,7 +236,7 @@ public:
 
 int main(int argc, char** argv)
 {
-  CLI::App program("Simplifies triangle meshes and keeps everything that is attached to them: colors, texture\n"
+  CLI::App program("Simplifies triangle meshes and keeps their attributes: colors, texture\n"
                    "coordinates, materials, groups, labels, and other properties. The distance and the one-to-one map\n"
                    "between the original and the result are proved: both lie in a shell, a thin layer around the\n"
                    "surface, and each curve through it meets each of them once. Files: PLY, OBJ with MTL, OFF, STL,\n"
@@ -263,8 +263,9 @@ int main(int argc, char** argv)
   add_length(*command, "--border", simplify.border,
              "Simplify open borders within this distance (default: borders are kept)");
   command->add_flag("--cut-seams", simplify.cuts_lines,
-                    "Cut facets along seams and borders of labels, so that none lies across one");
-  add_shell(*command, simplify, "as required by the tolerance or the number of facets; at first, the tolerance or 1%");
+                    "Cut facets along seams and borders of labels, so that none straddles one");
+  add_shell(*command, simplify,
+            "begins at the tolerance, or else at 1%, and is adapted to the tolerance or the number of facets");
   add_limits(*command, simplify, threads);
   add_common(*command, writes_json,
              "  bspline_shell simplify scan.obj -o small.obj --tolerance 0.5%\n"
@@ -351,7 +352,8 @@ int main(int argc, char** argv)
     "check", "Describe a file: its attributes, its defects, and the shell that it can have." + lengths);
   add_shell(*command, check, "1%");
   command
-    ->add_option("--distance", check.other, "Prove how far the surface is from that of another file, and conversely")
+    ->add_option("--distance", check.other,
+                 "Prove bounds on the one-sided Hausdorff distances to the surface of another file and back")
     ->type_name("MESH");
   add_common(*command, writes_json,
              "  bspline_shell check part.stl --thickness 0.2\n"

@@ -14,7 +14,7 @@ For each mesh, writes the following files to FOLDER:
   NAME_flipped.off   five facets are reversed
   NAME_moved.off     five vertices are moved by 5 % of the box, so that facets at them intersect others
   NAME_float.off     no facets share a vertex; each coordinate is a float, with a random last bit at each facet
-  NAME_fins.off      five triangles hang at edges, and five at vertices
+  NAME_fins.off      five triangles are attached to edges, and five to vertices
   NAME_corner.off    a tetrahedron touches the mesh at a vertex, and five pairs of facets that touch at a vertex are missing
 """
 import os

@@ -1,4 +1,4 @@
-// Builds the shell of each mesh and certifies it. Prints one JSON object per line, also if a mesh is refused or a
+// Builds the shell of each mesh and certifies it. Prints one JSON object per line, even if a mesh is refused or a
 // process dies: every mesh has a separate process.
 //
 //   certify_meshes FILE... [--thickness T] [--constant] [--gamma G] [--paper] [--no-proxy] [--no-truncation]

@@ -11,6 +11,7 @@
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
@@ -69,20 +70,16 @@ bool make_singular(Mesh& mesh, Mesh::Vertex_index v)
   std::set<Mesh::Face_index> nearby;
   for(auto w : mesh.vertices_around_target(mesh.halfedge(v)))
     for(auto f : mesh.faces_around_target(mesh.halfedge(w))) nearby.insert(f);
+  Vector normal = CGAL::NULL_VECTOR;
+  for(auto f : mesh.faces_around_target(mesh.halfedge(v))) normal += PMP::compute_face_normal(f, mesh);
+  normal /= std::sqrt(normal.squared_length());
   for(auto h : mesh.halfedges_around_target(mesh.halfedge(v))) {
     const Point middle = CGAL::midpoint(mesh.point(mesh.source(h)), mesh.point(mesh.target(mesh.next(h))));
     const Vector out = middle - before;
-    Vector normal = CGAL::NULL_VECTOR;
-    for(auto f : mesh.faces_around_target(mesh.halfedge(v))) {
-      const auto g = mesh.halfedge(f);
-      normal += CGAL::normal(mesh.point(mesh.source(g)), mesh.point(mesh.target(g)),
-                             mesh.point(mesh.target(mesh.next(g))));
-    }
-    normal /= std::sqrt(normal.squared_length());
     mesh.point(v) = middle + across * out + lift * std::sqrt(out.squared_length()) * normal;
     const auto margin = [&](Mesh::Vertex_index w) { return BS::vertex_cone_margin(mesh, w); };
     constexpr double regular = 0.1;
-    constexpr double rounding = 1e-9; // of a margin that is zero
+    constexpr double rounding = 1e-9; // largest error of a zero margin
     bool is_good = margin(v) < rounding;
     for(auto w : mesh.vertices_around_target(mesh.halfedge(v))) is_good = is_good && margin(w) > regular;
     if(is_good && !PMP::does_self_intersect(nearby, mesh)) return true;

@@ -1,5 +1,5 @@
-// Measures the effect of tuned numbers: builds a certified shell, simplifies and remeshes the mesh in it, and maps its
-// vertices to the remeshed mesh and back. Prints one JSON object per line, with processor times.
+// Measures the effect of tuning parameters: builds a certified shell, simplifies and remeshes the mesh in it, and maps
+// its vertices to the remeshed mesh and back. Prints one JSON object per line, with processor times.
 //
 //   tuning_figures MESH...
 #include "../meshes_in_shell.h"

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""Halves and doubles each tuned number, and prints the effects.
+"""Halves and doubles each tuning parameter, and prints the effects.
 
    tuning_sensitivity.py [--work FOLDER] [--jobs N] [--meshes FOLDER] [WORDS ...]
 
-Tuned numbers are the members of the structs in headers `*_tuning.h`. In a copy of the sources in FOLDER (build/tuning),
-they are read from the environment, so that tuning_figures is compiled only once. With WORDS, only numbers whose names
-contain one of these words are examined. Instead of doubling, a fraction above 1/2 is moved half of the way to 1.
+Tuning parameters are the members of the structs in headers `*_tuning.h`. In a copy of the sources in FOLDER
+(build/tuning), they are read from the environment, so that tuning_figures is compiled only once. With WORDS, only
+parameters whose names contain one of these words are examined. Instead of being doubled, a fraction above 1/2 is moved
+halfway to 1.
 
-Prints a table (Markdown) of the numbers with an effect: processor times of shells, simplification, remeshing and maps,
+Prints a table (Markdown) of the parameters with an effect: processor times of shells, simplification, remeshing and maps,
 and numbers of cells and facets, relative to their present values; certified shells; and vertices that the map loses.
 Relative differences up to NOISE are omitted. FOLDER stores the measurements in figures.json, so an interrupted run can be
 resumed.

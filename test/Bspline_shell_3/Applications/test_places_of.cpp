@@ -12,7 +12,7 @@ namespace {
 
 namespace BS = CGAL::Bspline_shells;
 
-TEST_CASE("places: centroids of facets and vertices, and points of obstacles")
+TEST_CASE("places: they are centroids of facets, vertices, and points of obstacles")
 {
   const Mesh mesh = box(Point_3(0, 0, 0), Point_3(2, 4, 6), false); // quadrangles
   BS::Shell_report report;
@@ -30,7 +30,7 @@ TEST_CASE("places: centroids of facets and vertices, and points of obstacles")
   CHECK(places[7] == Point_3(1, 2, 3));
 }
 
-TEST_CASE("places: where meshes intersect themselves, and none if a shell is certified")
+TEST_CASE("places: self-intersections are located, and certified shells have none")
 {
   const Mesh crossing = joined(sphere(1), sphere(1, 1, Point_3(1.5, 0, 0)));
   const auto rejected = CGAL::certified_bspline_shell_3(crossing);

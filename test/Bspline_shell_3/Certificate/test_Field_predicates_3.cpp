@@ -503,7 +503,7 @@ TEST_CASE("Predicates: a facet parallel to the gradient is never proved to face 
   CHECK(inexact > 4);
 }
 
-TEST_CASE("Predicates: the bound of the slope does not exceed the least slope on the facet")
+TEST_CASE("Predicates: the bound on the slope does not exceed the least slope on the facet")
 {
   CGAL::Random random(47);
   Field field = cube_field();

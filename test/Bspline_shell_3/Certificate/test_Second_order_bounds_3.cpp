@@ -146,7 +146,7 @@ Triangle horizontal(double radius, double z, double x = 0)
   return { Point_3(x + radius, x, z), Point_3(x - radius / 2, x + h, z), Point_3(x - radius / 2, x - h, z) };
 }
 
-// Returns whether a triangle is proved to be in a shell whose outer (if `side` > 0) or inner threshold is beyond the
+// Returns whether a triangle is proved to be in a shell. The outer (if `side` > 0) or inner threshold is beyond the
 // values at samples by a share of their range. The other threshold is far away.
 bool is_contained_with_margin(const Field& field, double side, double share, const Triangle& t,
                               std::size_t most_bisections = many)
@@ -252,7 +252,8 @@ TEST_CASE("Second-order bounds: on a hierarchy, between varying thresholds, prov
   CHECK(transversal > 100);
 }
 
-TEST_CASE("Second-order bounds: a slight peak in a facet or on an edge is detected, and curvature away costs nothing")
+TEST_CASE("Second-order bounds: a slight peak in a facet or on an edge is detected, and curvature away from a "
+          "threshold does not matter")
 {
   const Field field = uniform_field(dome);
   const Triangle around_peak = horizontal(0.2, 0.1),
@@ -508,7 +509,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Second-order bounds: nothing is proved beyond the end of the domain, or across a hole in it")
+TEST_CASE("Second-order bounds: nothing is proved beyond the boundary of the domain, or across a hole in it")
 {
   const Lattice_point first = { -4, -4, -4 }, last = { 3, 3, 3 };
   Field field(cells_where(BS::Lattice_3::from_origin({ 0, 0, 0 }, 0.25, first, last), first, last,
@@ -693,7 +694,7 @@ TEST_CASE("Second-order bounds: fewer bisections prove fewer claims, and never d
   CHECK(proved[1] < proved[3]);
 }
 
-TEST_CASE("Second-order bounds: the bound of the slope is close to the least slope, up to the requested value")
+TEST_CASE("Second-order bounds: the bound on the slope is close to the least slope, up to the requested value")
 {
   CGAL::Random random(29);
   Field field(cells_of_cube());

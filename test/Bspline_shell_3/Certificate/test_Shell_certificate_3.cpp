@@ -447,7 +447,7 @@ TEST_CASE("Certificate: a saddle away from the lattice is proved to be a critica
   CHECK_FALSE(BS::prove_critical_point(BS::enclosed_value(field.cell(field.locate(Point_3(3.5, 3.5, 3.5))))));
 }
 
-TEST_CASE("Certificate: a shell that reaches the end of the domain is not proved to be in its interior")
+TEST_CASE("Certificate: a shell that reaches the boundary of the domain is not proved to be in its interior")
 {
   const Field field = radial_field(); // the domain extends to 1.5 along the axes
   const Mesh mesh = sphere(2);
@@ -481,7 +481,7 @@ TEST_CASE("Certificate: a vertex that sticks out by 1e-12 is refuted, and so is 
     const Certificate elsewhere = certify(field, 0.8, 1.2, sphere(1, 1, center));
     CHECK(elsewhere.verdict(Claim::CONTAINMENT) == Verdict::REFUTED);
     CHECK_FALSE(elsewhere);
-    // Points are reported as outside only beyond the end of the domain, 1.5 from the origin.
+    // Points are reported as outside only beyond the boundary of the domain, 1.5 from the origin.
     int outside = 0, inside = 0;
     for(const Place& w : elsewhere.witnesses()) {
       if(w.claim != Claim::CONTAINMENT) continue;
@@ -631,7 +631,8 @@ TEST_CASE("Certificate: an open or empty mesh has a status, and no claim is prov
   CHECK(certify(field, 0.8, 1.2, Mesh()).status() == BS::Shell_status::EMPTY_MESH);
 }
 
-TEST_CASE("Varying thresholds: constant thresholds prove the same as levels, and too steep thresholds are not proved")
+TEST_CASE("Varying thresholds: constant thresholds prove the same as levels, and nothing is proved for thresholds that "
+          "are too steep")
 {
   typedef BS::Spline_threshold<Field> Varying;
   const Field field = radial_field();
@@ -1025,7 +1026,7 @@ TEST_CASE("Cover: a box where a threshold is slightly steeper than the field is 
     for(double s : { 1.8e-163, 3e-163, 1e-162 }) check(axes, s);
 }
 
-TEST_CASE("Cover: the bound of the least gradient does not exceed the field's gradient, however small it is")
+TEST_CASE("Cover: the bound on the least gradient does not exceed the field's gradient, however small it is")
 {
   for(double s : { 1., 1e-140, 1e-155, 1e-160, 1e-200 }) {
     CAPTURE(s);

@@ -322,7 +322,7 @@ TEST_CASE("Predicates on a hierarchy: slopes are per user unit, whatever the siz
   // The facet is orthogonal to the gradient, and crosses leaves of all sizes.
   const Vector_3 u(2, 1, 0), v(0, 2, 1);
   const Point_3 p(-2.3, -2.1, 0.4), q = p + 2. * u, r = p + 2. * v - 0.3 * u;
-  double slope = 10; // lower bound of the slope
+  double slope = 10; // lower bound on the slope
   CHECK(predicates.crosses_upwards({ p, q, r }, nullptr, nullptr, &slope) == Verdict::PROVED);
   CHECK(slope <= length);
   CHECK(slope > length * (1 - 2e-9)); // the error radius of small leaves is divided by their width
@@ -433,7 +433,7 @@ TEST_CASE("Certificate on a hierarchy: false claims are refuted, or at least not
     if(w.claim == Claim::CONTAINMENT) CHECK(w.reason == Place::FACET);
   CHECK(certify(field, 0.85, 1.2, sphere(2, 1, Point_3(9, 0, 0))).witnesses().front().reason == Place::OUTSIDE);
 
-  // The shell reaches the end of the domain.
+  // The shell reaches the boundary of the domain.
   const Certificate open = certify(field, 0.85, 1.6, sphere(2));
   CHECK(open.verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
   for(const Place& w : open.witnesses()) CHECK(w.reason == Place::BOUNDARY_OF_DOMAIN);
@@ -593,7 +593,7 @@ TEST_CASE("Certificate with a known cover: components that share part of the cov
   }
   by_part.verify<CGAL::Sequential_tag>(left());
   CHECK(by_part.least_gradient() == 0.75 * of_left.least_gradient());
-  // The shell's report has no bound of the gradient.
+  // The shell's report has no bound on the gradient.
   const Shell silent = shell_with_cover(field, all, 0);
   Certificate by_silent(silent);
   CHECK(by_silent.verify<CGAL::Sequential_tag>(left()));

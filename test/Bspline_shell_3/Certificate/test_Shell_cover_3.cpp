@@ -181,8 +181,8 @@ struct Exact_box
   std::array<Rational, 64> b;
 };
 
-// Returns whether one of 27 points of a box is in the shell and at the end of the domain: in some direction out of the
-// box, there is no cell next to the point.
+// Returns whether one of 27 points of a box is in the shell and at the boundary of the domain: in some direction out of
+// the box, there is no cell next to the point.
 template <typename IsInShell>
 bool is_in_shell_at_end(const Field& field, const CGAL::Bbox_3& b, const IsInShell& is_in_shell)
 {
@@ -223,7 +223,7 @@ TEST_CASE("Cover: floods agree with a search through all pairs of boxes, on cell
     Cover cover(field, Constant(level - half), Constant(level + half));
     const Boxes in_units(field);
     // Components are flooded one after the other, from points in the shell. Some points are corners of cells, also at
-    // the end of the domain.
+    // the boundary of the domain.
     std::vector<Point_3> seeds;
     std::vector<std::uint32_t> numbers;
     for(int n = 0; n < 800 && seeds.size() < 8; ++n) {
@@ -256,8 +256,8 @@ TEST_CASE("Cover: floods agree with a search through all pairs of boxes, on cell
         ++joined;
       } else ++apart;
     }
-    // All cells around a component are subdivided. A box with a point of the shell at the end of the domain is reported
-    // as being at the end.
+    // All cells around a component are subdivided. A box with a point of the shell at the boundary of the domain is
+    // reported as being at the end.
     std::vector<char> is_subdivided(field.number_of_cells(), 0), is_at_end(box.size(), 0);
     for(const Cover_box& b : cover.boxes()) is_subdivided[b.cell] = 1;
     for(auto b : cover.at_end()) is_at_end[b] = 1;
@@ -306,7 +306,7 @@ TEST_CASE("Cover: floods agree with a search through all pairs of boxes, on cell
   CHECK(undecided > 1);
 }
 
-TEST_CASE("Cover: between varying thresholds, a box in the shell at the end of the domain is reported")
+TEST_CASE("Cover: between varying thresholds, a box in the shell at the boundary of the domain is reported")
 {
   std::size_t beyond_inner = 0, beyond_outer = 0;
   for(unsigned seed = 1; seed < 13; ++seed) {

@@ -66,7 +66,7 @@ std::vector<Field::Point_3> seed()
   return { Field::Point_3(1, 0, 0) };
 }
 
-// Requested thicknesses. With `thick`, the center and the end of the domain are between thresholds of this width.
+// Requested thicknesses. With `thick`, the center and the boundary of the domain are between thresholds of this width.
 double thin(const Point_3&)
 {
   return 0.4;
@@ -113,7 +113,7 @@ TEST_CASE("Narrowed thresholds: thresholds have the requested width if the shell
   CHECK_FALSE(thresholds.are_chosen());
 }
 
-TEST_CASE("Narrowed thresholds: a critical point or the end of the domain narrows only the threshold next to it")
+TEST_CASE("Narrowed thresholds: a critical point or the boundary of the domain narrows only the threshold next to it")
 {
   const Ball ball;
   Thresholds thresholds(seed());
@@ -150,7 +150,7 @@ TEST_CASE("Narrowed thresholds: a critical point or the end of the domain narrow
   CHECK(once.inner().value(Point_3(0, 0, 0)) == Approx(-half));
 }
 
-TEST_CASE("Narrowed thresholds: the end of the domain counts as undecided while the shell reaches it")
+TEST_CASE("Narrowed thresholds: the boundary of the domain counts as undecided while the shell reaches it")
 {
   const Ball large(1.9);
   constexpr double width = 1.6;
@@ -199,7 +199,7 @@ TEST_CASE("Narrowed thresholds: a mesh close to a critical point makes its cell 
     });
   };
   CHECK(are_near({ 0, 0, 0 }));   // the critical point
-  CHECK(are_near({ 2.5, 0, 0 })); // the end of the domain
+  CHECK(are_near({ 2.5, 0, 0 })); // the boundary of the domain
   CHECK_FALSE(are_near({ 1, 0, 0 }));
   // Constant thresholds are not narrowed either.
   needing.forget();

@@ -64,7 +64,7 @@ TEST_CASE("Budget: the effort of a round includes the cells fitted in earlier ro
 }
 
 TEST_CASE(
-  "Budget: a partial round is in vain if it leaves as many undecided cells, or does not reach their examination")
+  "Budget: a partial round is stalled if it leaves as many undecided cells, or does not reach their examination")
 {
   const auto was_in_vain = [](bool is_partial, bool examined_before, bool examined, std::size_t undecided_before,
                               std::size_t undecided) {

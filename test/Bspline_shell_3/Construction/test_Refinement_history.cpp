@@ -24,7 +24,7 @@ BS::Refinement_round round_with(std::size_t thick_cells, std::size_t failing_fac
 
 } // namespace
 
-TEST_CASE("Refinement history: refinement is in vain after too many rounds in a row without progress")
+TEST_CASE("Refinement history: refinement is stalled after too many successive rounds without progress")
 {
   const BS::Refinement_tuning tuning;
   BS::Refinement_history history(0, tuning);
@@ -91,7 +91,7 @@ TEST_CASE("Refinement history: many obstacles of a field that is too large on th
   CHECK(history.kind_of_obstacles(9, 1000, true) == Obstacle_kind::FEW);
 }
 
-TEST_CASE("Refinement history: gaps are narrow, permanently, after very many obstacles once, or many twice in a row")
+TEST_CASE("Refinement history: gaps remain narrow after one round with very many obstacles, or two with many")
 {
   const BS::Refinement_tuning tuning;
   BS::Refinement_history history(0, tuning);

@@ -261,7 +261,7 @@ TEST_CASE("The domain of the field consists of the cells of the mesh and the req
   }
 }
 
-TEST_CASE("A dense grid and a band of cells yield the same levels up to 10 percent")
+TEST_CASE("A dense grid and a band of cells yield levels that agree to within 10 percent")
 {
   const Mesh mesh = sphere(2);
   const Shell band = CGAL::bspline_shell_3(mesh, P::resolution(12)),

@@ -291,7 +291,7 @@ TEST_CASE("Certified shells: constant thresholds are two levels, closer than the
 
 TEST_CASE("Certified shells: constant thresholds are provable for a box, whatever its diagonals")
 {
-  // Extrema of the field on the mesh are at corners of the box, so that bounds of the field are sharp there.
+  // Extrema of the field on the mesh are at corners of the box, so that bounds on the field are sharp there.
   const Mesh quads = box(Point_3(0, 0, 0), Point_3(2, 1, 1), false);
   for(int diagonals : { 0, 21, 32, 42, 63 }) {
     Mesh mesh = quads;

@@ -60,7 +60,7 @@ TEST_CASE("Refinement plan: without any findings, nothing is refined")
   CHECK(plan.with_larger_weights.empty());
 }
 
-TEST_CASE("Refinement plan: neighbors are also refined if slopes fail or few fields are too large, but not if many are")
+TEST_CASE("Refinement plan: neighbors are also refined at failing slopes and at few thick cells, but not at many")
 {
   const Hierarchy cells = block();
   const Index middle = cell_at(cells, { 0, 0, 0 }), other = cell_at(cells, { 3, 3, 3 });
@@ -90,7 +90,7 @@ TEST_CASE("Refinement plan: neighbors are also refined if slopes fail or few fie
   }
 }
 
-TEST_CASE("Refinement plan: the fewer cells have obstacles, the more neighbors are refined, except for very few")
+TEST_CASE("Refinement plan: most neighbors are refined if the number of obstacles is neither small nor large")
 {
   const Hierarchy cells = block();
   BS::Round_findings found;

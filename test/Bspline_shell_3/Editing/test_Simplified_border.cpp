@@ -252,7 +252,7 @@ TEST_CASE("Simplified borders: each closed curve of a border is kept")
   }
 }
 
-TEST_CASE("Simplified borders: a triangular hole in a flat square is kept, although the shell allows to close it")
+TEST_CASE("Simplified borders: a triangular hole in a flat square is kept, although the shell would allow closing it")
 {
   const Point_3 middle(0.5, 0.5, 0);
   Mesh mesh = flat().mesh;

@@ -146,7 +146,7 @@ TEST_CASE("Cut: a segment across two facets")
       for(unsigned i = 0; i < 2; ++i) CHECK(mesh.point(mesh.vertex(e, i)).x() == 0.25);
 }
 
-TEST_CASE("Cut: polylines along edges, through vertices, and to points in facets")
+TEST_CASE("Cut: polylines along edges, through vertices, and to points in facets become edges")
 {
   const Mesh before = square();
   Mesh mesh = before;
@@ -223,7 +223,7 @@ TEST_CASE("Cut: parts of a marked edge are marked, and other new edges are not")
   CHECK(marked_length(mesh, marks) == Approx(1 + std::sqrt(2.)));
 }
 
-TEST_CASE("Cut: other meshes and point maps")
+TEST_CASE("Cut: other types of meshes and point maps can be cut")
 {
   typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
   const Mesh before = sphere(1);

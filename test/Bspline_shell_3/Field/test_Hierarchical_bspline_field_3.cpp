@@ -160,7 +160,7 @@ double off(double x, const Rational& exact)
   return std::abs(CGAL::to_double(Rational(Rational(x) - exact)));
 }
 
-// Returns an upper bound of the error of an evaluated derivative: the leaf's radius, and roundings of local
+// Returns an upper bound on the error of an evaluated derivative: the leaf's radius, and roundings of local
 // coordinates, weights and sums. The absolute Bernstein weights of a first derivative sum to at most 6; those of a
 // second derivative, to at most 36.
 double tolerance(const Field& field, Index c, int order)

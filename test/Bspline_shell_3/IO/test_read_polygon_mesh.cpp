@@ -562,7 +562,7 @@ TEST_CASE("Reading: non-manifold edges and vertices, and degenerate facets, are 
   }
 }
 
-TEST_CASE("Reading: a one-sided surface is not orientable, and each facet at its seams is reported once, in order")
+TEST_CASE("Reading: a non-orientable surface is rejected, and each facet at its seams is reported once, in order")
 {
   // Five quadrangles form a ring; the last one is twisted.
   std::string moebius = "OFF\n10 5 0\n";

@@ -113,7 +113,7 @@ Mesh shuffled(const Mesh& mesh, unsigned int seed)
 
 } // namespace
 
-TEST_CASE("Copy in Morton order: a copy is the same mesh, if closed, open, of polygons or of another type")
+TEST_CASE("Copy in Morton order: closed, open, and polygonal meshes, and meshes of other types, are unchanged")
 {
   const Mesh ball = sphere(2), quads = box(Point_3(0, 0, 0), Point_3(1, 2, 3), false);
   check_same(ball, ball.number_of_vertices(), ball.number_of_edges());

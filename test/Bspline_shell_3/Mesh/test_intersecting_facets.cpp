@@ -152,7 +152,7 @@ TEST_CASE("Intersecting facets: the requested number of pairs is found, for any 
   CHECK(some.size() == 50);
   CHECK(std::includes(all.begin(), all.end(), some.begin(), some.end()));
   CHECK(found<CGAL::Parallel_if_available_tag>(two, 50, 150) == some);
-  // There is no grid.
+  // No grid is used.
   for(int n = 0; n < 10; ++n)
     CHECK(found<CGAL::Parallel_if_available_tag>(two, 50, 100000) == found<CGAL::Sequential_tag>(two, 50, 100000));
   // Most of the mesh is in one cell.

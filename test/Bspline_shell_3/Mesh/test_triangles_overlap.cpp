@@ -44,7 +44,7 @@ TEST_CASE("Overlapping triangles: without common vertices, touching is enough")
   CHECK_FALSE(overlap({ 0, 1, 2 }, { 3, 4, 5 }, with({ Point_3(1, 1, 1), Point_3(1, 1, 2), Point_3(2, 5, 1) })));
 }
 
-TEST_CASE("Overlapping triangles: with a common vertex, they meet elsewhere")
+TEST_CASE("Overlapping triangles: triangles with a common vertex overlap if they also meet elsewhere")
 {
   CHECK_FALSE(overlap({ 0, 1, 2 }, { 0, 3, 4 }, with({ Point_3(1, 1, 1), Point_3(1, 1, 2) })));
   CHECK(overlap({ 0, 1, 2 }, { 0, 3, 4 }, with({ Point_3(1, 1, -1), Point_3(1, 1, 2) })));
@@ -52,7 +52,7 @@ TEST_CASE("Overlapping triangles: with a common vertex, they meet elsewhere")
   CHECK(overlap({ 0, 1, 2 }, { 0, 3, 4 }, with({ Point_3(1, 1, 0), Point_3(1, 1, 2) })));
 }
 
-TEST_CASE("Overlapping triangles: with a common edge, they are folded onto each other")
+TEST_CASE("Overlapping triangles: triangles with a common edge overlap if one is folded onto the other")
 {
   CHECK_FALSE(overlap({ 0, 1, 2 }, { 1, 0, 3 }, with({ Point_3(1, 1, 1) })));
   CHECK_FALSE(overlap({ 0, 1, 2 }, { 1, 0, 3 }, with({ Point_3(1, -1, 0) })));

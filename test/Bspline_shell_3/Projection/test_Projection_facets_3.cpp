@@ -42,7 +42,7 @@ double distance(const Coordinates& p, const Coordinates& q)
   return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
-// Returns the distance from a grid of points on a facet: an upper bound of the distance from the facet.
+// Returns the distance from a grid of points on a facet: an upper bound on the distance from the facet.
 double sampled_distance(const Facets& facets, Index f, const Coordinates& p)
 {
   constexpr int steps = 40;

@@ -130,7 +130,7 @@ TEST_CASE("Projection target: tips of meshes with lazy coordinates are found by 
   }
 }
 
-TEST_CASE("Projection target: the nearest place on the border of a square, and the triangles of its closing")
+TEST_CASE("Projection target: the nearest place on the border of a square, and the triangles of its closing, are found")
 {
   const Mesh mesh = sheet(steps(0, 1, 4), steps(0, 1, 4));
   typedef BS::Shell_closing_3 Closing;

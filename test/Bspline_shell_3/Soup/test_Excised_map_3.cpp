@@ -99,7 +99,7 @@ TEST_CASE("Map of an excised soup: points of excised triangles stay where they a
   }
 }
 
-TEST_CASE("Map of an excised soup: points elsewhere are moved along curves, and come back")
+TEST_CASE("Map of an excised soup: points of other triangles are moved along curves, and return")
 {
   const Map map = simplified().map();
   double farthest = 0, nearest_to_start = 0, error = 0;

@@ -120,7 +120,7 @@ TEST_CASE("Shell of a soup: an open mesh is closed virtually, and wrongly orient
   CHECK(hollow.repairs.reversed_components);
 }
 
-TEST_CASE("Shell of a soup: a rejected parameter is named with its value, also if the polygons are no mesh")
+TEST_CASE("Shell of a soup: a rejected parameter is named with its value, even if the polygons do not form a mesh")
 {
   BS::Polygon_soup finned = soup_of(sphere(3));
   finned.points.emplace_back(0, 0, 1.2);
@@ -136,7 +136,7 @@ TEST_CASE("Shell of a soup: a rejected parameter is named with its value, also i
   check(CGAL::certified_shell_of_soup_3(finned, parameters::largest_excised_share(-1.)), "largest_excised_share");
 }
 
-TEST_CASE("Shell of a soup: closed parts that are pushed into each other get a shell of their union")
+TEST_CASE("Shell of a soup: overlapping closed parts get a shell of their union")
 {
   const BS::Polygon_soup soup = soup_of(joined(sphere(3), sphere(2, 0.7, Point_3(1.1, 0.2, 0.1))));
   const BS::Shell_of_soup_3 result = CGAL::certified_shell_of_soup_3(soup);
@@ -145,7 +145,7 @@ TEST_CASE("Shell of a soup: closed parts that are pushed into each other get a s
   REQUIRE(result.united);
   CHECK(&result.mesh() == &result.united->mesh);
   CHECK(result.repaired_mesh.number_of_faces() == soup.polygons.size());
-  CHECK(contains(result.message(), "2 closed parts that are pushed into each other were united"));
+  CHECK(contains(result.message(), "2 overlapping closed parts were united"));
   const std::string report = report_of(result);
   CHECK(contains(report, "\"kind\": \"united\""));
   CHECK(contains(report, "\"united_parts\": {"));
@@ -204,7 +204,7 @@ TEST_CASE("Shell of a soup: a soup that is rejected as a mesh gets a proxy, and 
   REQUIRE(strip.is_certified());
   CHECK(strip.kind() == BS::Shell_kind::PROXY);
   CHECK(strip.mesh_status == BS::Shell_status::NOT_ORIENTABLE);
-  CHECK(contains(strip.mesh_message(), "one-sided"));
+  CHECK(contains(strip.mesh_message(), "not orientable"));
   CHECK_FALSE(contains(strip.mesh_message(), "build a proxy")); // there is a proxy already
   CHECK(CGAL::is_closed(strip.mesh()));
   BS::Shell_certificate_3<BS::Shell_of_soup_3::Shell::Field, BS::Shell_of_soup_3::Shell::Threshold> certificate(

@@ -196,7 +196,7 @@ TEST_CASE("Check of a replacement: a pillow, a facet with the corners of an exci
   CHECK(replaced(soup, polygons.points, { { 0, 1, 2 }, { 0, 2, 3 } }) == Status::COMMON_FACET);
 }
 
-TEST_CASE("Check of a replacement: a vertex with the coordinates of a point of excised triangles only is found")
+TEST_CASE("Check of a replacement: a vertex at a point that only excised triangles use is found")
 {
   const BS::Excised_soup_3 soup = square_with(a, b, up);
   CHECK(replaced(soup, corners_and(Point_3(0, 0, 0.5)), four) == Status::VALID);

@@ -47,7 +47,7 @@ TEST_CASE("Choice of an excision: a sound mesh is kept, closed or open")
   }
 }
 
-TEST_CASE("Choice of an excision: points at one place are one, duplicates are represented, and polygons triangulated")
+TEST_CASE("Choice of an excision: equal points are merged, duplicates represented, and polygons triangulated")
 {
   BS::Polygon_soup soup;
   add_triangle(soup, Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0));
@@ -88,7 +88,8 @@ TEST_CASE("Choice of an excision: of three facets at an edge, the flattest two o
   CHECK(checked(soup).excised_triangles() == std::vector<std::size_t>{ 1 });
 }
 
-TEST_CASE("Choice of an excision: a large triangle at an edge or a vertex of small facets is excised, not these")
+TEST_CASE(
+  "Choice of an excision: a large triangle at an edge or a vertex of small facets is excised, rather than these")
 {
   const Mesh fine = sphere(3);
   const std::size_t size = fine.number_of_faces();
@@ -131,7 +132,7 @@ TEST_CASE("Choice of an excision: two holes that touch at a vertex lose the smal
   CHECK(soup.report().excised > 0);
 }
 
-TEST_CASE("Choice of an excision: one facet of each intersecting pair is excised, where this takes least area")
+TEST_CASE("Choice of an excision: one facet of each intersecting pair is excised, with the least total area")
 {
   // A dent that is pushed through the opposite side.
   const Mesh dented = mapped(sphere(3),
@@ -192,7 +193,7 @@ TEST_CASE("Choice of an excision: triangles are oriented like most of their comp
   CHECK(CGAL::is_closed(result.mesh()));
 }
 
-TEST_CASE("Choice of an excision: a one-sided strip is cut")
+TEST_CASE("Choice of an excision: a non-orientable strip is cut")
 {
   BS::Polygon_soup soup;
   constexpr std::size_t around = 24;

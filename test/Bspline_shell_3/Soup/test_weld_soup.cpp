@@ -49,8 +49,8 @@ void add(BS::Polygon_soup& soup, const std::vector<Point_3>& points, const BS::P
   }
 }
 
-// Returns a unit square (points 0 to 3) and a rectangle beside it (points 4 to 7), with a gap between the points 1 and
-// 2 of the square and 4 and 7 of the rectangle.
+// Returns a unit square (points 0 to 3) and a rectangle beside it (points 4 to 7). There is a gap between the points 1
+// and 2 of the square and 4 and 7 of the rectangle.
 BS::Polygon_soup cracked_sheet(double gap, double height = 0, double width = 1)
 {
   BS::Polygon_soup soup;
@@ -138,7 +138,7 @@ TEST_CASE("Weld: close border vertices become the first of them, and the polygon
   CHECK(welded.report.undone_clusters == 0);
   CHECK(welded.report.border_edges_before == 8);
   CHECK(welded.report.border_edges_after == 6);
-  CHECK(message(welded.report) == "2 points were welded (within 0.01): of 8 border edges, 6 are left.");
+  CHECK(message(welded.report) == "2 points were welded (within 0.01): 6 of 8 border edges remain.");
 
   const BS::Welded_soup other = BS::weld_soup(soup, within(0.004));
   CHECK(other.report.is_none());
@@ -327,7 +327,7 @@ TEST_CASE("Weld: border vertices on a border edge split it")
   CHECK(welded.provenance.polygon_of == Polygon{ 0, 0, 0, 1, 2, 3, 4, 5 });
   CHECK(std::count(welded.provenance.change.begin(), welded.provenance.change.end(), BS::Weld_change::SPLIT) == 3);
   CHECK(message(welded.report)
-        == "2 points were welded and 1 edge was split (within 0.01): of 10 border edges, 6 are left.");
+        == "2 points were welded and 1 edge was split (within 0.01): 6 of 10 border edges remain.");
   const BS::Shell_of_soup_3 result = repaired_and_welded(soup, within(0.01));
   REQUIRE(result.mesh_status == BS::Shell_status::SUCCESS);
   CHECK(result.repaired_mesh.number_of_faces() == 8);
@@ -496,7 +496,7 @@ TEST_CASE("Weld: edges inside of the soup are not counted as border edges")
   CHECK(report.border_edges_after == 32);
 }
 
-TEST_CASE("Weld: a cube of different triangulations on its sides is closed again")
+TEST_CASE("Weld: a cube whose sides are triangulated differently is closed again")
 {
   // Half of the sides are finer, so that their vertices lie on edges of the others.
   const Mesh coarse = turned_cube(1), fine = turned_cube(2);

@@ -272,7 +272,7 @@ TEST_CASE("GLTF: nodes move points and normals, and reflections keep the side of
   }
 }
 
-TEST_CASE("GLTF: strips and fans become triangles of the same side")
+TEST_CASE("GLTF: strips and fans become triangles with the same orientation")
 {
   File file;
   const std::string points = std::to_string(file.vectors({ 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0 }));
@@ -349,7 +349,7 @@ TEST_CASE("GLTF: primitives may have different attributes")
   CHECK(known(color_again) == known(color));
 }
 
-TEST_CASE("GLTF: warnings name what is left out")
+TEST_CASE("GLTF: warnings name the omitted data")
 {
   File file;
   const std::string points = std::to_string(file.vectors({ 0, 0, 0, 1, 0, 0, 0, 1, 0 })),
@@ -440,7 +440,7 @@ TEST_CASE("GLTF: damaged files are malformed")
         == File_status::MALFORMED);
 }
 
-TEST_CASE("GLTF: each byte may be wrong")
+TEST_CASE("GLTF: a file with any byte damaged is refused, or can be written again")
 {
   const std::string text = square();
   for(std::size_t n = 0; n < text.size(); ++n) {
@@ -461,7 +461,7 @@ TEST_CASE("GLTF: materials of OBJ files and back")
   const Model model = model_of(obj, "part.obj");
   const Written_files written = write_model(model, "folder/part.gltf");
   REQUIRE(written.warnings.size() == 1);
-  CHECK(written.warnings[0].find("Of materials") == 0);
+  CHECK(written.warnings[0].find("An OBJ file") == 0);
   CHECK(written.files[0].second.find("\"../pictures/old%20oak.png\"") != std::string::npos);
   const Model gltf = model_of(text_of(model, "part.glb"), "part.glb");
   const Attribute& material = *gltf.find(material_name, Element::POLYGON);

@@ -27,7 +27,7 @@ TEST_CASE("Image: a PNG file that is written and read has the same texels")
   CHECK(from_memory->values == image.values);
 }
 
-TEST_CASE("Image: other files are no images")
+TEST_CASE("Image: files of other formats are rejected")
 {
   const Temporary_file file("text.png", "not an image");
   CHECK(!read_image("text.png"));

@@ -9,7 +9,7 @@ namespace test_Numbered_values {
 
 using namespace Tool;
 
-TEST_CASE("Numbered_values: equal values have the same number, also if they are not numbers")
+TEST_CASE("Numbered_values: equal values have the same number, even if they are NaN")
 {
   const double missing = std::numeric_limits<double>::quiet_NaN();
   Numbered_values number;

@@ -105,8 +105,8 @@ TEST_CASE("page_of: if the page would be too large, images of vertices replace t
   const std::string page = page_of(example.view, 1000);
   CHECK_FALSE(has_array(page, "field.frame"));
   CHECK_FALSE(has_array(page, "inner.points"));
-  CHECK(page.find("<dt>Curves</dt><dd>are left out") != std::string::npos);
-  CHECK(page.find("<dt>Surfaces</dt><dd>of the shell are left out") != std::string::npos);
+  CHECK(page.find("<dt>Curves</dt><dd>are omitted") != std::string::npos);
+  CHECK(page.find("<dt>Surfaces</dt><dd>of the shell are omitted") != std::string::npos);
   const auto points = array_of<float>(page, "mesh0.points"), images = array_of<float>(page, "mesh0.images");
   REQUIRE(points.size() == images.size());
   const Triangulated_model second(example.second);

@@ -351,7 +351,7 @@ TEST_CASE("Map polyline: curves along edges and through vertices")
   CHECK(across.size() == 5);
 }
 
-TEST_CASE("Map polyline: single and repeated points")
+TEST_CASE("Map polyline: single and repeated points are mapped")
 {
   const Mesh a = sphere(1, 0.7), b = turned(sphere(2, 0.85), 0.3);
   const Map map(ball(), a, b);

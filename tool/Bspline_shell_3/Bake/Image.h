@@ -35,7 +35,7 @@ std::optional<Image> read_image(const std::string& file);
 // Reads the contents of such a file.
 std::optional<Image> read_image(const std::vector<unsigned char>& contents);
 
-// Returns the contents of a PNG file, or nothing if the memory does not suffice.
+// Returns the contents of a PNG file, or nothing if there is not enough memory.
 std::optional<std::string> png_of(const Image& image);
 
 } // namespace Tool

@@ -94,7 +94,7 @@ void print(const Edit_summary& summary, const Model& model, const BS::Shell_of_s
     out << "\n";
   }
   if(summary.carried.facets_across_seams > 0)
-    line("seams") << summary.carried.facets_across_seams << " facets lie across a seam\n";
+    line("seams") << summary.carried.facets_across_seams << " facets straddle a seam\n";
   if(summary.carried.points_without_image > 0)
     line("") << summary.carried.points_without_image << " points have the values of the nearest points\n";
   for(const auto& [title, text] : lines) line(title) << text << "\n";

@@ -29,7 +29,7 @@ struct Edit_summary
   bool is_rounded = false;   // whether coordinates are those of a file of floats
   Carry_report carried;
   std::vector<std::string> attributes, warnings;
-  std::string limit; // what ended the edit, as a sentence
+  std::string limit; // why the edit ended, as a sentence
   double seconds = 0;
 };
 

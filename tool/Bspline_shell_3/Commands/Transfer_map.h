@@ -28,7 +28,7 @@ struct Transfer_map
   BS::Shell_of_soup_3 found;
   Outcome outcome; // outcome of the search for a certified shell
   double thickness = 0;
-  Triangulated_model mesh; // of the model that is mapped, with the orientation of the shell's mesh
+  Triangulated_model mesh; // triangles of the mapped model, oriented like the mesh of the shell
   std::unique_ptr<const Model_map> map;
   Mapped_parts parts;
 };

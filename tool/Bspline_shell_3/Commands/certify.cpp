@@ -18,7 +18,8 @@ Outcome certify(const std::string& shell_file, const std::string& mesh_file, boo
   Shell shell;
   const BS::Shell_file_status read = BS::read_shell(shell_file, shell);
   if(read == BS::Shell_file_status::NOT_A_SHELL)
-    return { WRONG_INPUT, shell_file, "The file is not a shell: give the file PREFIX.shell of the command shell." };
+    return { WRONG_INPUT, shell_file,
+             "The file is not a shell: give the file PREFIX.shell that the command `shell` wrote." };
   if(read != BS::Shell_file_status::SUCCESS) return { WRONG_INPUT, shell_file, message(read) };
   Mesh mesh;
   BS::Offending_simplices offenders;

@@ -204,8 +204,8 @@ std::string message_of_kind(const std::string& kind)
   if(kind == "virtually closed") return "around the whole open mesh; its borders are kept." + otherwise;
   if(kind == "united") return "around the union of the parts that intersect.";
   if(kind == "excised") return "around the mesh without its defects, which stay as they are." + otherwise;
-  return "around a closed proxy, which is wrapped around the polygons: there are too many defects. A larger --excise "
-         "keeps more of the polygons.";
+  return "around a closed proxy that wraps the polygons, because there are too many defects. A larger --excise may "
+         "avoid the proxy.";
 }
 
 void print(const Findings& found, double thickness)
@@ -223,7 +223,7 @@ void print(const Findings& found, double thickness)
   if(!welding.empty()) std::cout << "welding     " << with_options(welding) << "\n";
   if(found.components > 0)
     std::cout << "mesh        " << found.components << (found.components == 1 ? " component, " : " components, ")
-              << found.border_edges << " border edges, " << found.intersecting << " facets intersect others\n";
+              << found.border_edges << " border edges, " << found.intersecting << " intersecting facets\n";
   else
     std::cout << "mesh        none. " << without_advice(mesh_message(found.status)) << ".\n"
               << "edges       " << found.edges.with_one_polygon << " with one polygon, "
@@ -303,7 +303,8 @@ Outcome check(const Check_options& options, bool writes_json)
   print(found, thickness);
   if(!options.other.empty())
     std::cout << "distance    at most " << number(distances.to_second) << " from any point of this file to "
-              << options.other << ", and at most " << number(distances.to_first) << " conversely" << std::endl;
+              << options.other << ", and at most " << number(distances.to_first) << " in the opposite direction"
+              << std::endl;
   if(found.status == BS::Shell_status::SUCCESS) return DONE;
   return { DONE, options.input, without_advice(message(found.status)) + ".", found.offenders };
 }

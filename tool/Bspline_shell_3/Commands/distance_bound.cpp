@@ -29,7 +29,7 @@ typedef Eigen::Vector3d Vector_3;
 typedef std::array<Vector_3, 3> Triangle;
 
 constexpr double excess = 1.01;                                          // largest ratio of a bound and a distance
-constexpr double rounding = 64 * std::numeric_limits<double>::epsilon(); // of lengths, relative
+constexpr double rounding = 64 * std::numeric_limits<double>::epsilon(); // relative error of lengths
 
 // A point, and the facet of the other mesh that is closest to it.
 struct Sample

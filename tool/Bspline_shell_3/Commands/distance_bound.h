@@ -1,4 +1,4 @@
-// An upper bound of the distance between two surfaces.
+// An upper bound on the distance between two surfaces.
 #ifndef TOOL_COMMANDS_DISTANCE_BOUND_H
 #define TOOL_COMMANDS_DISTANCE_BOUND_H
 

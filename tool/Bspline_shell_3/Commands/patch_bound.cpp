@@ -75,7 +75,7 @@ double patch_bound(const Triangle& triangle, const Mesh& mesh, Mesh::Face_index 
                    double rounding)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  constexpr double share = 0.25; // of the bound: distance from the shrunk triangle. 97 % are left for heights.
+  constexpr double share = 0.25; // of the bound, for the distance from the shrunk triangle; 97 % remain for heights
   const Projection projection(triangle);
   const double depth = share * within / projection.spread;
   // Edges are left out if they are outside at half of the depth, so that rounding has no effect.

@@ -1,4 +1,4 @@
-// A bound of the distance from a triangle to facets of a mesh that cover it.
+// A bound on the distance from a triangle to facets of a mesh that cover it.
 #ifndef TOOL_COMMANDS_PATCH_BOUND_H
 #define TOOL_COMMANDS_PATCH_BOUND_H
 
@@ -10,7 +10,7 @@
 
 namespace Tool {
 
-// Returns a bound of the distance of all points of a triangle from a mesh; infinity if this function finds none that is
+// Returns a bound on the distance of all points of a triangle from a mesh; infinity if this function finds none that is
 // at most `within`. It is meant for triangles that are large compared with the facets of the mesh. The time is
 // proportional to the number of facets over the triangle.
 //
@@ -22,7 +22,7 @@ namespace Tool {
 // largest difference of heights bounds their distance along the normal.
 // \param start a facet
 // \param distance its distance from the center of the triangle's inscribed circle
-// \param rounding bound of the error of a projected coordinate
+// \param rounding bound on the error of a projected coordinate
 double patch_bound(const std::array<Eigen::Vector3d, 3>& triangle, const Mesh& mesh, Mesh::Face_index start,
                    double distance, double within, double rounding);
 

@@ -79,10 +79,11 @@ Outcome remesh(const Remesh_options& options, bool writes_json)
   print(summary, model, found,
         { { "edges", percent(result.share_near_target) + " from 4/5 to 4/3 of " + number(target.edge) + "; mean length "
                        + number(result.mean_edge) },
-          { "lines",
-            std::to_string(result.features) + " edges on features, " + std::to_string(result.lines)
-              + " on seams and borders of labels"
-              + (result.protects_lines ? ": not split or collapsed, because excised triangles touch edges" : "") } });
+          { "lines", std::to_string(result.features) + " edges on features, " + std::to_string(result.lines)
+                       + " on seams and borders of labels"
+                       + (result.protects_lines
+                            ? ": not split or collapsed, because an excised triangle is attached to an inner edge"
+                            : "") } });
   return DONE;
 }
 

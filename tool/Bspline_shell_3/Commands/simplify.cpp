@@ -24,9 +24,9 @@ std::string message_of_limit(const Simplified& result)
       return "The shell ended the simplification: a larger --thickness than " + number(result.thickness)
              + " may allow fewer facets.";
     case Limit::LINES:
-      return "Seams, borders of labels, or excised triangles ended the simplification; --facets gives up seams and "
-             "borders of labels if this reaches the number.";
-    case Limit::MESH: return "No edge is left that can be collapsed without changing the topology or a border.";
+      return "Seams, borders of labels, or excised triangles ended the simplification; with --facets, seams "
+             "and borders of labels are dropped if the number cannot be reached otherwise.";
+    case Limit::MESH: return "No remaining edge can be collapsed without changing the topology or a border.";
   }
   return "";
 }
@@ -68,10 +68,10 @@ Outcome simplify(const Simplify_options& options, bool writes_json)
   else if(result.cut) lines.emplace_back("lines", "were not cut. " + with_options(message(result.cut->cut.status)));
   else if(options.cuts_lines) lines.emplace_back("lines", "were not cut, because a proxy was simplified");
   if(result.keeps_lines && !result.cut && result.lines > 0)
-    lines.emplace_back("lines", "seams and borders of labels, " + std::to_string(result.lines)
-                                  + " edges of the file, remain lines of edges");
+    lines.emplace_back("lines", "seams and borders of labels (" + std::to_string(result.lines)
+                                  + " edges of the file) are kept as edges");
   if(!result.keeps_lines)
-    lines.emplace_back("lines", "were not kept, because the requested number of facets needs them");
+    lines.emplace_back("lines", "were not kept: with them, the requested number of facets cannot be reached");
   if(result.removed_border_edges > 0)
     lines.emplace_back("border", "has " + std::to_string(result.removed_border_edges) + " edges fewer");
   print(summary, model, found, lines);

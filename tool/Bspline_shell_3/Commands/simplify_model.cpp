@@ -138,7 +138,7 @@ private:
   Simplify_target m_target;
   std::shared_ptr<const BS::Shell_of_soup_3> m_first; // certified or not
   Simplified m_current;
-  std::optional<Simplified> m_best; // the one with the fewest facets of those that keep the tolerance, if any does
+  std::optional<Simplified> m_best; // the result with the fewest facets within the tolerance, or else the first one
 };
 
 } // namespace

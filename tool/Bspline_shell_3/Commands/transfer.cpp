@@ -106,8 +106,8 @@ void bake_images(const Transfer_options& options, const Model& from, const Model
       + ": their texture coordinates overlap, and the first polygon is baked.");
   if(texels.outside() > 0)
     baked.warnings.push_back(std::to_string(texels.outside())
-                             + " triangles have no texture coordinates, or some that are not between 0 and 1: they are "
-                               "not baked there.");
+                             + " triangles have no texture coordinates, or some outside [0, 1]; they are not baked "
+                               "there.");
   const Mesh_origins& origins = map.map->origins();
   const auto mix = [&](const Source_point& p) { return mix_of(p.corners, p.weights, origins); };
   std::optional<Normal_source> normals;
@@ -134,11 +134,10 @@ std::string map_message(const Transfer_map& map)
                                            : "";
   if(parts.is_one_to_one()) return "one-to-one" + onto + ": proved for the whole mesh";
   const double share = parts.share(Mapped::ONE_TO_ONE);
-  return (share > 0
-            ? percent(share) + " of the area one-to-one" + onto
-                + (parts.is_certified ? ": proved as a whole; "
-                                      : ", as each facet is proved to face along the curves, and samples return; ")
-            : "nothing is one-to-one; ")
+  return (share > 0 ? percent(share) + " of the area one-to-one" + onto
+                        + (parts.is_certified ? ": proved as a whole; "
+                                              : ": each facet is proved to face along the curves, and samples return; ")
+                    : "nothing is one-to-one; ")
          + percent(parts.share(Mapped::CONTINUED)) + " continued without a proof; "
          + percent(parts.share(Mapped::NEAREST)) + " outside of the shell, with values of the nearest points";
 }
@@ -167,7 +166,7 @@ void print(const Transfer_options& options, const Transfer_map& map, double dist
   print_list(out, "attributes ", transferred.transferred);
   print_list(out, "replaced   ", transferred.replaced);
   if(transferred.facets_across_seams > 0)
-    out << "seams       " << transferred.facets_across_seams << " facets lie across a seam\n";
+    out << "seams       " << transferred.facets_across_seams << " facets straddle a seam\n";
   for(const auto& image : baked.images)
     out << "image       " << image.first << ": " << options.size << " x " << options.size << " texels, "
         << percent(double(baked.covered) / double(options.size * options.size)) << " covered\n";
@@ -223,7 +222,7 @@ Outcome transfer(const Transfer_options& options, bool writes_json)
   Contents images;
   for(const auto& [file, image] : baked.images) {
     std::optional<std::string> png = png_of(image);
-    if(!png) return { CANNOT_WRITE, file, "The memory does not suffice for the image: choose a smaller --size." };
+    if(!png) return { CANNOT_WRITE, file, "Not enough memory for the image: choose a smaller --size." };
     images.emplace_back(file, std::move(png));
   }
   std::vector<std::string> written_attributes, warnings = baked.warnings;

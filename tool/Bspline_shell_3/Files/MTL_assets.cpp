@@ -144,7 +144,7 @@ std::string MTL_of_assets(const tinygltf::Model& gltf, const std::string& folder
     }
     if(name.empty())
       written.warnings.push_back("The image " + std::to_string(image - gltf.images.data())
-                                 + " is left out: it cannot be decoded.");
+                                 + " is omitted: it cannot be decoded.");
     else text += "map_Kd " + name + "\n";
   }
   return text;

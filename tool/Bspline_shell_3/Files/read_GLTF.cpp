@@ -376,7 +376,7 @@ private:
     if(std::find(used.begin(), used.end(), "EXT_mesh_gpu_instancing") != used.end())
       m_left_out.insert("Instances of meshes (EXT_mesh_gpu_instancing)");
     if(m_gltf.scenes.size() > 1) m_left_out.insert("Scenes that are not the default one");
-    for(const std::string& item : m_left_out) m_report.warnings.push_back(item + " are left out.");
+    for(const std::string& item : m_left_out) m_report.warnings.push_back(item + " are omitted.");
   }
 
   const tinygltf::Model& m_gltf;

@@ -84,7 +84,7 @@ public:
     else if(word == "s") m_smoothing.set(lines.rest() == "off" ? "0" : lines.rest());
     else if(word == "mtllib") read_library(lines.rest());
     else if(m_left_out.insert(std::string(word)).second)
-      m_report.warnings.push_back("Lines that begin with \"" + std::string(word) + "\" are left out.");
+      m_report.warnings.push_back("Lines that begin with \"" + std::string(word) + "\" are omitted.");
     return true;
   }
 

@@ -144,7 +144,7 @@ File_report read_OFF(std::string_view text, Model& model)
     if(colors.back().first > 0) are_reals = are_reals || has_point(rows.words(), 1 + std::size_t(size));
     are_indices = are_indices || rest == 1 || rest == 2;
   }
-  if(are_indices) report.warnings.push_back("Colors that are indices of a color map are left out.");
+  if(are_indices) report.warnings.push_back("Colors that are indices of a color map are omitted.");
   model.attributes = std::move(of_points);
   if(most > 0) {
     Attribute a = color(Element::POLYGON, most, are_reals);

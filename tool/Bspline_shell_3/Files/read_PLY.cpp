@@ -212,7 +212,7 @@ public:
   {
     if(section.is_of_points()) return read_elements(section, Element::POINT);
     if(section.is_of_polygons()) return read_elements(section, Element::POLYGON);
-    m_report.warnings.push_back("The element \"" + section.name + "\" is left out: only points and polygons are kept.");
+    m_report.warnings.push_back("The element \"" + section.name + "\" is omitted: only points and polygons are kept.");
     return read_elements(section, std::nullopt);
   }
 
@@ -230,7 +230,7 @@ private:
         texture = m_model.attributes.size();
         m_model.attributes.push_back(
           { texture_name, Element::CORNER, Kind::REAL, property.type, { "u", "v" }, {}, {} });
-      } else m_report.warnings.push_back("The property \"" + property.name + "\" is left out, because it is a list.");
+      } else m_report.warnings.push_back("The property \"" + property.name + "\" is omitted, because it is a list.");
     }
     std::vector<double> list;
     for(std::size_t n = 0; n < section.size; ++n) {

@@ -86,7 +86,7 @@ void write_OBJ(const Model& model, const std::string& file, Written_files& writt
     } else written.leave_out(a, "an OBJ file");
   }
   if(colors != nullptr && colors->dimension() > 3)
-    written.warnings.push_back("Opacities of points are left out: an OBJ file cannot hold them.");
+    written.warnings.push_back("Opacities of points are omitted: an OBJ file cannot store them.");
 
   std::optional<Attribute> placed; // texture coordinates for the images of the materials
   if(model.assets != nullptr) placed = color_coordinates(model, *gltf, material_of);
@@ -102,7 +102,7 @@ void write_OBJ(const Model& model, const std::string& file, Written_files& writt
     std::string materials = is_kept ? moved_materials(model.materials, model.folder, path.parent_path().string())
                                     : MTL_of_assets(*gltf, model.folder, file, written);
     if(model.assets != nullptr)
-      written.warnings.push_back("Of materials, an OBJ file holds only names, colors, opacities, and color textures.");
+      written.warnings.push_back("An OBJ file stores only names, colors, opacities, and color textures of materials.");
     const std::string library = name_beside(file, ".mtl", materials);
     if(library != usual)
       written.warnings.push_back("The material library is " + library + ", because " + usual

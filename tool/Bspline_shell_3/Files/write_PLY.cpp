@@ -86,13 +86,13 @@ void write_PLY(const Model& model, const std::string& file, Written_files& writt
     else if(is_texture(a) && corners == nullptr) corners = &a;
     else {
       written.warnings.push_back("The attribute \"" + a.name
-                                 + "\" is left out: a PLY file cannot hold values of corners, except for texture "
+                                 + "\" is omitted: a PLY file cannot store values of corners, except for texture "
                                    "coordinates.");
       continue;
     }
     written.hold(a);
   }
-  if(model.has_materials()) written.warnings.push_back("The material library is left out: a PLY file cannot hold it.");
+  if(model.has_materials()) written.warnings.push_back("The material library is omitted: a PLY file cannot store it.");
 
   const auto properties = [&](const Attribute& a) { return is_of_format ? a.components : property_names(a); };
   const std::string folder = std::filesystem::path(file).parent_path().string();

@@ -97,12 +97,12 @@ void write_STL(const Model& model, const std::string& file, Written_files& writt
     if(is_held && kept == nullptr) {
       kept = &a;
       written.hold(a);
-    } else if(a.kind != Kind::NORMAL) written.leave_out(a, is_binary ? "a binary STL file" : "an STL file of text");
+    } else if(a.kind != Kind::NORMAL) written.leave_out(a, is_binary ? "a binary STL file" : "an ASCII STL file");
   }
   written.leave_out_materials(model, "an STL file");
   if(!are_floats && model.encoding == "binary")
-    written.warnings.push_back("The file is written as text, because its coordinates have more digits than binary STL "
-                               "files can hold.");
+    written.warnings.push_back("The file is written as ASCII STL, because its coordinates have more digits than "
+                               "binary STL files can hold.");
   for(std::size_t n = 0; n < model.soup.polygons.size(); ++n) {
     const auto& polygon = model.soup.polygons[n];
     for(const auto& t : triangles_of(model, n)) {

@@ -45,7 +45,7 @@ Written_files write_model(const Model& model, const std::string& file)
     single.materials.clear();
     single.assets.reset();
     set_textures_in_comments(single, {});
-    written.warnings.push_back("The material library is left out: the standard output is a single file.");
+    written.warnings.push_back("The material library is omitted: the standard output is a single file.");
   }
   writer_of(name)(single, name, written);
   written.files[0].first = stream_name;

@@ -24,12 +24,12 @@ struct Written_files
   // \param format with its article
   void leave_out(const Attribute& a, const std::string& format)
   {
-    warnings.push_back("The attribute \"" + a.name + "\" is left out: " + format + " cannot hold it.");
+    warnings.push_back("The attribute \"" + a.name + "\" is omitted: " + format + " cannot store it.");
   }
   void leave_out_materials(const Model& model, const std::string& format)
   {
     if(!materials_of(model)->materials.empty())
-      warnings.push_back("Materials and textures are left out: " + format + " cannot hold them.");
+      warnings.push_back("Materials and textures are omitted: " + format + " cannot store them.");
   }
 };
 

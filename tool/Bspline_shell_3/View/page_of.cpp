@@ -116,7 +116,7 @@ std::string page_of(const View& view, std::size_t most_bytes)
     else if(meshes.size() == 2) {
       for(std::size_t n = 0; n < 2; ++n)
         page.add("mesh" + std::to_string(n) + ".images", images(*meshes[n], *meshes[1 - n], *view.shell, center));
-      report.emplace_back("Curves", "are left out, because the page would be too large. Images of points are "
+      report.emplace_back("Curves", "are omitted, because the page would be too large. Images of points are "
                                     "interpolated between the images of vertices.");
     }
     bool has_surfaces = false;
@@ -127,8 +127,7 @@ std::string page_of(const View& view, std::size_t most_bytes)
       has_surfaces = fits(surfaces);
       if(has_surfaces) page.add(surfaces);
     }
-    if(!has_surfaces)
-      report.emplace_back("Surfaces", "of the shell are left out, because the page would be too large.");
+    if(!has_surfaces) report.emplace_back("Surfaces", "of the shell are omitted, because the page would be too large.");
   }
   return page.HTML(view.title, report);
 }

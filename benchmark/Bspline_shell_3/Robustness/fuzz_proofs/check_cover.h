@@ -280,8 +280,8 @@ private:
     }
   }
 
-  // Checks boxes at the end of the domain, in integer arithmetic. If a box touches sides of its root cell, the root
-  // cells behind them must exist, or the box must not be in the shell there.
+  // Checks boxes at the boundary of the domain, in integer arithmetic. If a box touches sides of its root cell, the
+  // root cells behind them must exist, or the box must not be in the shell there.
   void check_ends()
   {
     const auto& boxes = m_cover.boxes();
@@ -308,9 +308,9 @@ private:
             if(roots.cell(Lattice_point{ root[0] + i, root[1] + j, root[2] + k }) != Root_cells::npos) continue;
             ends = true;
             if(!is_at_end[n] && is_in_shell_towards({ i, j, k }, n))
-              m_tally.wrong("end", "the end of the domain was missed at " + describe_box(n));
+              m_tally.wrong("end", "the boundary of the domain was missed at " + describe_box(n));
           }
-      if(is_at_end[n] && !ends) m_tally.wrong("end", "no end of the domain at " + describe_box(n));
+      if(is_at_end[n] && !ends) m_tally.wrong("end", "no boundary of the domain at " + describe_box(n));
     }
   }
 

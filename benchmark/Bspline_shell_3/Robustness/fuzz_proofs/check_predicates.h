@@ -21,7 +21,7 @@ inline double nearby(CGAL::Random& random, double x, double size)
   return x + random_distance(random) * size;
 }
 
-// Returns a lower bound of a function on a simplex. If the function has a smaller value between the vertices, the bound
+// Returns a lower bound on a function on a simplex. If the function has a smaller value between the vertices, the bound
 // is usually false, but holds at the vertices.
 template <std::size_t size, typename Function>
 double random_bound(CGAL::Random& random, const std::array<Point_3, size>& simplex, const Function& f,

@@ -44,7 +44,7 @@ public:
   static constexpr Index npos = Cell_complex_3::npos; ///< no leaf
   Cell_hierarchy_3() : Cell_hierarchy_3(Cell_complex_3()) {}
 
-  /// constructs a hierarchy of root cells only, which are its leaves, with the same indices
+  /// constructs a hierarchy without split cells: its leaves are the root cells, with the same indices
   Cell_hierarchy_3(Cell_complex_3 roots) : m_roots(std::move(roots))
   {
     int largest = 0;

@@ -17,7 +17,7 @@ struct Facet_verdict
 {
   Verdict containment = Verdict::UNDECIDED;
   Verdict transversality = Verdict::UNDECIDED;
-  /// a lower bound of \f$n \cdot \nabla f\f$ with the unit normal \f$n\f$; 0 if transversality is not proved. The bound
+  /// a lower bound on \f$n \cdot \nabla f\f$ with the unit normal \f$n\f$; 0 if transversality is not proved. The bound
   /// is close only if the slope is near the smallest slope of all facets.
   double slope = 0;
 };

@@ -22,7 +22,7 @@ namespace Bspline_shells {
  *
  * \brief Proves that triangles are in a shell and face along the gradient.
  *
- * Proofs use samples at the corners, and bounds of the second derivatives on the cells that a triangle meets. They are
+ * Proofs use samples at the corners, and bounds on the second derivatives on the cells that a triangle meets. They are
  * rigorous, and fast for most triangles. `Field_predicates_3` decides the triangles that are left open.
  *
  * Let \f$x = \sum_i \lambda_i v_i\f$ be a point of a triangle. On the cells that the triangle meets, let the second
@@ -57,12 +57,12 @@ public:
   static constexpr Cell_index no_cell = Cells::no_cell;
 
   /// the field and the margins at a point: `point`; `cell`, which contains it, `no_cell` outside the domain; `above`
-  /// and `below`, lower bounds of the field minus the inner threshold, and of the outer one minus the field;
+  /// and `below`, lower bounds on the field minus the inner threshold, and on the outer one minus the field;
   /// `gradient`, per user unit, rounded
   typedef typename Cells::Sample Sample;
 
   /// the result for a triangle: `is_contained` and `is_transversal` are proved. `leaves_shell` and `faces_away` prove
-  /// nothing: a claim fails at a point that may be off the triangle by rounding errors. `slope` is a lower bound of the
+  /// nothing: a claim fails at a point that may be off the triangle by rounding errors. `slope` is a lower bound on the
   /// field's derivative along the unit normal, per user unit; it is 0 if the triangle is not proved transversal
   typedef internal::Facet_bounds Facet_bounds;
 
@@ -97,7 +97,7 @@ public:
   /// \param corners samples of the triangle's corners
   /// \param normal an enclosure of its normal
   /// \param most_bisections number of bisections after which nothing more is proved
-  /// \param target_slope per user unit; a proved bound of the slope is at least this, or at least 9/10 of the slope at
+  /// \param target_slope per user unit; a proved bound on the slope is at least this, or at least 9/10 of the slope at
   ///   some point
   Facet_bounds examine(const std::array<Sample, 3>& corners, const Facet_normal& normal, std::size_t most_bisections,
                        double target_slope = 0) const

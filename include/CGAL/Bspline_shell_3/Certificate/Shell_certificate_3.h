@@ -65,7 +65,7 @@ namespace Bspline_shells {
  * the same certified shell are mapped onto each other. To compare certificates without a certified shell, see
  * `matches()`.
  *
- * Results scale exactly with powers of two. If the field and the thresholds are multiplied by one, or all coordinates,
+ * Results scale exactly with powers of two. If the field and the thresholds, or all coordinates, are multiplied by one,
  * verdicts and angles stay the same, and the other bounds are multiplied. This holds as long as neither numbers nor
  * their rounding errors overflow or underflow: let the values of the field, also divided by the width of a cell once
  * and twice, be between \f$2^{-800}\f$ and \f$2^{800}\f$.
@@ -211,13 +211,13 @@ public:
 
   /// \name Quantities
   /// @{
-  /// returns a lower bound of \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved.
+  /// returns a lower bound on \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved.
   double least_gradient() const { return report().least_gradient; }
-  /// returns an upper bound of the length of integral curves in the shell, in the units of the coordinates. It bounds
+  /// returns an upper bound on the length of integral curves in the shell, in the units of the coordinates. It bounds
   /// the distance between a point and its image on any other certified mesh. The bound is infinite if the gradient
   /// claim is not proved.
   double displacement_bound() const { return report().displacement_bound; }
-  /// returns, for each facet in the order of `faces(mesh)`, an upper bound of the length in the shell of the integral
+  /// returns, for each facet in the order of `faces(mesh)`, an upper bound on the length in the shell of the integral
   /// curves that meet the facet. The bounds depend on the gradient and the thresholds nearby, and in most places are
   /// much smaller than `displacement_bound()`. This takes several times as long as the proof.
   template <typename ConcurrencyTag = Parallel_if_available_tag>

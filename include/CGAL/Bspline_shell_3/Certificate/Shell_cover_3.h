@@ -37,10 +37,10 @@ namespace Bspline_shells {
  * \brief A cover, by closed boxes, of the components of \f$\{\epsilon_1 \le f \le \epsilon_2\}\f$ that contain given
  * points.
  *
- * Leaf cells are subdivided until the kind of each box is known, or subdivision is of no use. From each point, all
- * boxes are flooded that touch each other and are not excluded. Flooding stops at excluded boxes, so the component of
+ * Leaf cells are subdivided until the kind of each box is known, or further subdivision does not help. From each point,
+ * a flood fill visits all connected boxes that are not excluded. Flooding stops at excluded boxes, so the component of
  * the point cannot leave its boxes. If none of them is undecided, the component has no critical point. If the component
- * is excluded wherever the boxes touch the end of the domain, it lies in the interior.
+ * is excluded wherever the boxes touch the boundary of the domain, it lies in the interior.
  *
  * \tparam Field_ a model of `BsplineField_3` whose cells' corners are exact, also after seven halvings. Its domain
  *   consists of equal cells of a lattice, and its cells are dyadic parts of them.
@@ -202,7 +202,7 @@ public:
   /// Returns the field on a box, as an enclosed polynomial over the box.
   Enclosed_tricubic function(const Cover_box& box) const { return m_subdivision.part(box).functions[0]; }
 
-  /// Encloses the values of the field where a box may be in the shell at the end of the domain.
+  /// Encloses the values of the field where a box may be in the shell at the boundary of the domain.
   Level_range range_at_end(const Cover_box& box) const { return m_subdivision.range_at_end(box); }
 
   /// Returns `true` if all of a box is certainly in the shell.
@@ -229,7 +229,7 @@ public:
 
 private:
   // A step of the flood from a box of the front, to a box that touches it and is not in the cover yet. If cells must be
-  // subdivided first, the steps are these cells, and the box itself once more. Boxes at the end of the domain are
+  // subdivided first, the steps are these cells, and the box itself once more. Boxes at the boundary of the domain are
   // reported, too.
   struct Flood_step
   {

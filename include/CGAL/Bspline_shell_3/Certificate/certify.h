@@ -18,7 +18,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief proves the certificate of a mesh in a shell, and certifies the shell with it, for a shell that was read from a
+ * \brief proves the claims for a mesh in a shell, and thereby certifies the shell, for a shell that was read from a
  * file or built by `bspline_shell_3()`.
  *
  * If all claims are proved, the shell is certified (`Bspline_shell_3::is_certified()`): it gets the report of the

@@ -26,14 +26,14 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Returns an upper bound of the length of curves between two values of the field, where the gradient has at least a
+// Returns an upper bound on the length of curves between two values of the field, where the gradient has at least a
 // given length. The last term accounts for the rounding of subnormal quotients.
 inline double longest_curve(const Level_range& levels, double least_gradient)
 {
   return (levels.max - levels.min) / least_gradient * (1 + 4 * rounding) + std::numeric_limits<double>::denorm_min();
 }
 
-// Cubes of equal size that cover some cells (*tiles*). Each stores a bound of the length of curves through it. Along a
+// Cubes of equal size that cover some cells (*tiles*). Each stores a bound on the length of curves through it. Along a
 // curve, the field increases by at least the smallest length of the gradient per unit of length. The gradient and the
 // thresholds within a distance of a tile suffice if they imply that curves through the tile end within that distance.
 class Displacement_tiles
@@ -46,7 +46,7 @@ public:
         m_width = ((box.max)(a) - (box.min)(a)) / most_tiles_of_axis;
   }
 
-  // Inserts a part of the shell, with a lower bound of the gradient and a range that encloses the thresholds.
+  // Inserts a part of the shell, with a lower bound on the gradient and a range that encloses the thresholds.
   void insert(const Bbox_3& box, double gradient, const Level_range& levels)
   {
     visit(box, [&](const Index& i) {
@@ -56,7 +56,7 @@ public:
     });
   }
 
-  // Computes bounds of the length of curves through each tile; no curve is longer than `of_all`.
+  // Computes bounds on the length of curves through each tile; no curve is longer than `of_all`.
   void bound(double of_all)
   {
     constexpr int farthest = 4;
@@ -72,7 +72,7 @@ public:
     }
   }
 
-  // Returns a bound of the length of curves that meet a box, or `of_all` if the box has too many tiles.
+  // Returns a bound on the length of curves that meet a box, or `of_all` if the box has too many tiles.
   double largest_bound(const Bbox_3& box, double of_all) const
   {
     double longest = 0;
@@ -141,7 +141,7 @@ private:
 /*!
  * \ingroup PkgBsplineShell3Certificate
  *
- * \brief returns, for each facet of a mesh, an upper bound of the length in the shell of the integral curves that meet
+ * \brief returns, for each facet of a mesh, an upper bound on the length in the shell of the integral curves that meet
  * it.
  *
  * \tparam Cover a `Shell_cover_3`

@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Construction
-/// \brief tuned numbers of the conditions on slopes and of cells at gaps. They affect time, number of cells, and
+/// \brief tuning parameters of the conditions on slopes and of cells at gaps. They affect time, number of cells, and
 /// whether the proof succeeds, but no proof depends on them.
 struct Condition_tuning
 {

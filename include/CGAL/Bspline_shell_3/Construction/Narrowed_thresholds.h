@@ -305,7 +305,7 @@ private:
       for(const Cover_box& box : cover.boxes())
         if(box.component != Cover_box::no_component && box.kind == Box_kind::UNDECIDED) {
           internal::Run::poll();
-          // If only the threshold is too steep, there may be no critical point, and the critical values may lie on the
+          // If only the threshold is too steep, a critical point need not exist, and the critical values may lie on the
           // other side of zero. In this case, the range of the field is used.
           const Enclosed_tricubic f = cover.function(box);
           const Level_range values = critical_values(f), field = f.range();

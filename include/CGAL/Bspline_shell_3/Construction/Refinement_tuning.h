@@ -14,7 +14,7 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief tuned numbers of the refinement: when cells are split, and when the field is corrected instead.
+ * \brief tuning parameters of the refinement: when cells are split, and when the field is corrected instead.
  *
  * They affect time and the number of cells; no proof depends on them. A *surface cell* is a cell that the mesh
  * intersects. Fractions that are compared with numbers of cells are stored as their reciprocals.
@@ -39,7 +39,7 @@ struct Refinement_tuning
   /// Number of times that the places that still fail after a correction are added to the conditions.
   int max_slope_exchanges = 6;
   /// Largest fraction of thick cells that an exchange may leave; otherwise, cells are split. The limit does not apply
-  /// to `few_thick_cells` or fewer, for which a round would take longer.
+  /// if at most `few_thick_cells` remain: another exchange is then faster than a round.
   double thick_cells_left = 0.5;
   std::size_t few_thick_cells = 2;
   /// Factor on the slope required around cells whose conditions contradict each other, as along sharp fins.

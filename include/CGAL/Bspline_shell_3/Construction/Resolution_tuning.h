@@ -12,8 +12,8 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Construction
-/// \brief tuned numbers of `choose_resolution()`. They affect time and the number of cells only. A *resolution* is the
-/// number of root cells along the longest side of the mesh's bounding box.
+/// \brief tuning parameters of `choose_resolution()`. They affect time and the number of cells only. A *resolution* is
+/// the number of root cells along the longest side of the mesh's bounding box.
 struct Resolution_tuning
 {
   /// Resolutions to try, coarsest first. The finest is used if the others are rejected.

@@ -100,7 +100,7 @@ public:
     }
   }
 
-  /// returns the value that the mesh requires in a cell: a lower bound of the outer threshold, or an upper bound of the
+  /// returns the value that the mesh requires in a cell: a lower bound on the outer threshold, or an upper bound on the
   /// inner threshold
   double needed(Index cell, Sign side) const
   {

@@ -12,8 +12,8 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Construction
-/// \brief tuned numbers of the choice of thresholds (`Narrowed_thresholds`, `Mesh_ranges`). They affect time and the
-/// thickness of shells only.
+/// \brief tuning parameters of the choice of thresholds (`Narrowed_thresholds`, `Mesh_ranges`). They affect time and
+/// the thickness of shells only.
 struct Threshold_tuning
 {
   /// Number of passes if there are many obstacles, because the cells there are split in any case.

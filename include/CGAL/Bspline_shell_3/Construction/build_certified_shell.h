@@ -89,8 +89,8 @@ struct Certified_shell_parameters
  * \ingroup PkgBsplineShell3Construction
  *
  * \brief builds a shell of a checked mesh as described for `certified_bspline_shell_3()`. The oracle, if set, is used
- * instead of the signed distance to the mesh. Not a template of mesh, oracle, and solver, so that the library can
- * contain compiled instances.
+ * instead of the signed distance to the mesh. The function is not a template of mesh, oracle, and solver, so that the
+ * library can contain compiled instances.
  *
  * \pre the parameters are valid
  */

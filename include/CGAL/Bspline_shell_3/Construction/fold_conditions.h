@@ -27,19 +27,19 @@ namespace Bspline_shells {
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief returns conditions for a field at *folds*: sharp edges and vertices, as in a narrow groove or at a thin fin.
+ * \brief returns conditions that make a field increase out of narrow grooves, and beyond the edges of thin fins. The
+ * sharp edges and vertices there are *folds*.
  *
- * Near a fold, cells do not resolve the space between the facets, however small they are. If the field is near zero on
- * both sides, it has critical points between them. Instead, it must increase along a direction at less than 90 degrees
- * to all normals nearby, out of the groove or the fin. The conditions require this at the points of
- * `visit_condition_points()`. There are none if the margin of the common direction is at least
- * `Condition_tuning::fold_margin`, or if there is no common direction.
+ * Near a fold, the distance between the facets is less than the width of any cell. If the field is near zero on both
+ * sides, it usually has critical points between them. The conditions require instead that it increases along the common
+ * direction of the facets nearby (`common_direction()`), at the points of `visit_condition_points()`. A cell has no
+ * conditions if there is no common direction, or if its margin is at least `Condition_tuning::fold_margin`.
  *
  * \tparam ConcurrencyTag unless it is `Sequential_tag`, functions are called concurrently
  * \param is_at_fold whether the slope possible at a vertex of a facet is below `Condition_tuning::fold_margin`. Only
  *   cells with such facets have conditions.
  * \param needs_conditions whether a cell needs conditions
- * \param fraction fraction of the possible slope
+ * \param fraction the required derivative along the common direction, as a fraction of its margin
  */
 template <typename ConcurrencyTag = Sequential_tag, typename Field, typename Facet_predicate, typename Cell_predicate>
 std::vector<Slope_condition> fold_conditions(const Field& field, const Clipped_mesh_3& clipped,

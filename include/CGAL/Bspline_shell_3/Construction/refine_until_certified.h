@@ -347,8 +347,7 @@ std::vector<Refinement_obstacle> Certified_refinement<ConcurrencyTag>::obstacles
   std::map<Index, std::array<double, 3> > places;
   for(const Threshold_obstacle& o : m_obstacles) places.insert({ o.cell, o.point });
   for(const Certificate_witness& w : m_certificate->witnesses()) {
-    // Two components of the mesh in one component of the shell do not fail at one place; CONTAINMENT_NOT_PROVED has no
-    // point.
+    // TWO_SHEETS does not refer to a single place, and CONTAINMENT_NOT_PROVED has no point.
     if(w.reason == Certificate_witness::TWO_SHEETS || w.reason == Certificate_witness::CONTAINMENT_NOT_PROVED) continue;
     const Index c = field()->locate(Field::Point_3(w.point[0], w.point[1], w.point[2]));
     if(c != Field::npos) places.insert({ c, w.point });

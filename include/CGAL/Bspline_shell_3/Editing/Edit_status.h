@@ -60,8 +60,8 @@ inline const char* message(Edit_status status)
              "(CGAL::Polygon_mesh_processing::triangulate_hole), use the shell of a mesh with the same border "
              "(CGAL::certified_bspline_shell_3), or pass the triangles that close the mesh (closing).";
     case Edit_status::NOT_CLOSABLE:
-      return "The mesh has the border of the triangles that close it, but also another edge of them: edit a mesh "
-             "without this edge.";
+      return "In addition to its border, the mesh shares an edge with the triangles that close it: edit a mesh without "
+             "this edge.";
     case Edit_status::NOT_IN_SHELL:
       return "The mesh is not proved to lie in the shell and to face along the gradient at the listed facets and "
              "vertices: edit a mesh for which the shell is certified, or freeze these facets (freeze_rejected_facets).";

@@ -46,25 +46,26 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *
  * \brief simplifies a mesh in a shell by edge collapses.
  *
- * An edge is collapsed only if each facet that this creates is accepted: it is proved or estimated (see *Proofs* below)
- * to lie in the shell and to face along the gradient. A facet faces along the gradient if its normal and the gradient
- * form an acute angle at each of its points. The result is certified as a whole; otherwise, the mesh is restored, or
- * the status is `PARTIALLY_EDITED` (`freeze_rejected_facets`). A certified result has no self-intersections. If the
- * shell is certified, its integral curves map the result one-to-one onto every other mesh that is certified in it, in
- * particular onto the mesh for which the shell was built. For simplified borders, see `border_tolerance`.
+ * An edge of positive length is collapsed only if all new facets are accepted, and wind exactly once around the new
+ * vertex. A facet is accepted if it is proved or estimated (see *Proofs* below) to lie in the shell and to face along
+ * the gradient. A facet faces along the gradient if its normal and the gradient form an acute angle at each of its
+ * points. The result is certified as a whole; otherwise, the mesh is restored, or the status is `PARTIALLY_EDITED`
+ * (`freeze_rejected_facets`). A certified result has no self-intersections. If the shell is certified, its integral
+ * curves map the result one-to-one onto every other mesh that is certified in it, such as the mesh for which it was
+ * built. For simplified borders, see `border_tolerance`.
  *
  * Edges are collapsed by `CGAL::Surface_mesh_simplification::edge_collapse()` with `Shell_filter`, cheapest first. If
- * the policy's placement is rejected, up to five others are tried in order of increasing cost: the ends and the
- * midpoint of the edge, and the policy's placement and the midpoint, each moved along the gradient to the mean value of
- * the field at the ends. A rejected edge is considered again when its neighborhood has changed. Edges of length zero
- * are collapsed first, which does not change the surface.
+ * the policy's placement is rejected, up to five others are tried in order of increasing cost. Three are the ends and
+ * the midpoint of the edge. The other two are the policy's placement and the midpoint, moved along the gradient to the
+ * mean value of the field at the ends. A rejected edge is considered again when its neighborhood has changed. Edges of
+ * length zero are collapsed first, which does not change the surface.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`, used for proofs; all give
  *   the same result
  * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph`, and `HalfedgeListGraph`; copyable, with points
  *   of a kernel whose `FT` is `double`
  *
- * \param mesh a closed mesh in the shell, or a mesh with the border of its closing (`closing`); often the mesh for
+ * \param mesh a closed mesh in the shell, or an open mesh whose border is that of `closing`; for example, the mesh for
  *   which the shell was built. If the status is neither `SUCCESS` nor `PARTIALLY_EDITED`, the surface is unchanged. It
  *   may have been edited and restored, namely with the statuses `NOT_CERTIFIED`, `TIME_LIMIT_EXCEEDED`, `NOT_CLOSABLE`,
  *   and sometimes `NOT_IN_SHELL`. A restored `Surface_mesh` has its original property maps. Other mesh types have new
@@ -78,6 +79,7 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *         It is called for each edge that is considered, and can thus show progress or cancel; the mesh simplified so
  *         far is then certified and kept. By default, the mesh becomes as coarse as the shell allows.
  *         `Edit_report::end` is the reason why the simplification ended.}
+ *       \cgalParamDefault{`Never_stop_predicate`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{get_cost}
  *       \cgalParamDescription{a model of `GetCost`, for example of another policy of \cgal; it must be given together
@@ -92,6 +94,7 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *     \cgalParamNBegin{filter}
  *       \cgalParamDescription{a model of `PlacementFilter`, called before the shell's filter for every placement that
  *         is tried; it is copied unless it is passed by `std::cref()`}
+ *       \cgalParamDefault{`Permissive_filter`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
  *       \cgalParamDescription{a model of `EdgeCollapseSimplificationVisitor`, which is copied unless it is passed by
@@ -99,6 +102,7 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *         placement that is tried, and then either `OnCollapsing()` and `OnCollapsed()`, or `OnNonCollapsable()`. A
  *         placement that costs much more than the policy's is deferred to a later pass over the edges, in which
  *         `OnCollected()` is called again.}
+ *       \cgalParamDefault{`Default_collapse_visitor`}
  *     \cgalParamNEnd
  *     \cgalParamNBegin{edge_is_constrained_map}
  *       \cgalParamDescription{the constrained edges. Unless `protect_constraints` is `false`, they are kept, and their
@@ -158,21 +162,24 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *     \cgalParamNEnd
  *     \cgalParamNBegin{vertex_point_map}
  *       \cgalParamDescription{a property map from the vertices of `mesh` to their points. Unless `ConcurrencyTag` is
- *         `Sequential_tag`, it is read concurrently. If the mesh is open, the map must accept new vertices, which close
- *         the mesh during the edit.}
+ *         `Sequential_tag`, it is read concurrently. If the mesh is open, or the shell is truncated, vertices are added
+ *         during the edit, and the map must be able to store their points.}
  *       \cgalParamType{a model of `ReadWritePropertyMap`}
  *       \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
  *     \cgalParamNEnd
  *   \cgalNamedParamsEnd
  *
+ * \return a report, which converts to `true` if the mesh was edited and the result is certified, and the images of the
+ *   original vertices
+ *
  * \cgalHeading{Proofs} The certificate proves the result, whatever was accepted before. Most facets that are created
- *   are removed later. During the edit, a facet is therefore proved only if an estimate from a few points does not
- *   decide. If the certificate then fails, and not because of the shell itself, the mesh is restored and simplified
- *   again with a proof for each facet (`Edit_report::is_repeated`). This is done only where the rollback cannot be
- *   observed: for a `Surface_mesh` without garbage, and without a visitor, a filter, frozen facets, and stop predicates
- *   that may not be repeated (`Is_repeatable_stop_predicate`). Otherwise, every created facet is proved immediately.
- *   The costs of the policy are initialized again for the repetition, and a map of constrained edges has its original
- *   values.
+ *   are removed later. During the edit, a facet is therefore proved only if an estimate from a few points is
+ *   inconclusive. If the certificate then fails, and not because of the shell itself, the mesh is restored and
+ *   simplified again with a proof for each facet (`Edit_report::is_repeated`). This is done only if the caller cannot
+ *   observe it: for a `Surface_mesh` without garbage, and without a visitor, a filter, frozen facets, and stop
+ *   predicates that may not be repeated (`Is_repeatable_stop_predicate`). Otherwise, every created facet is proved
+ *   immediately. The costs of the policy are initialized again for the repetition, and a map of constrained edges has
+ *   its original values.
  *
  * \cgalHeading{Cost} For each facet at the new vertex, a collapse evaluates the field at a few points, or proves it
  *   with a bound for each cell that it meets. The certificate takes as long as for any mesh in the shell; if it fails,

@@ -42,8 +42,8 @@ namespace Bspline_shells {
  * *free* if the function acts on no coarser leaf. Free coefficients are the unknowns of the field, and their functions
  * are linearly independent. Other coefficients *depend* on those of the level above by the two-scale relation, so that
  * the field continues the coarser splines there. The grading of `Cell_hierarchy_3` ensures that the coefficients above
- * are free. On a leaf, the field is the tricubic with the 64 coefficients of its level. In the terms of the literature,
- * the basis is truncated, and the mesh is admissible of class two.
+ * are free. On a leaf, the field is the tricubic with the 64 coefficients of its level. In the literature, these are
+ * truncated hierarchical B-splines (THB-splines) on an admissible mesh of class two.
  *
  * With cells of one size, all coefficients are free, and the field is \f$f(v) = \sum_g \lambda_g B_g(v)\f$ (Eq. 3.3 of
  * \cgalCite{CubicBsplineShell2025}). The sum is over all lattice points \f$g\f$ whose function does not vanish on all

@@ -90,8 +90,8 @@ public:
   /// changes the field where conditions are violated
   /// \param[in,out] x coefficients in units of the width of root cells (`Fit_energy`); after the first call, the result
   ///   of the last one
-  /// \param most_violated if more cells are violated, the field is left unchanged: the problem is not local. If a sweep
-  ///   leaves most of many violated cells, it is the last one.
+  /// \param most_violated if more cells are violated, the field is left unchanged: the problem is not local. If many
+  /// cells are violated and a sweep leaves most of them violated, no further sweep follows.
   template <typename ConcurrencyTag = Sequential_tag>
   Slope_report operator()(Vector& x, std::size_t most_violated = std::numeric_limits<std::size_t>::max())
   {
@@ -130,8 +130,8 @@ private:
     return violated;
   }
 
-  // Solves the patches of cells. Of those that wait, all that no earlier one reaches are solved at once: the order is
-  // kept where it matters.
+  // Solves the patches of cells. In each step, all patches are solved that do not overlap an earlier patch that is not
+  // solved yet. Overlapping patches thus keep their order.
   template <typename ConcurrencyTag>
   void solve_patches(const std::vector<Index>& cells, Vector& x, Slope_report& report)
   {

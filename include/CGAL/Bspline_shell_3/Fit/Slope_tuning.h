@@ -12,8 +12,8 @@ namespace CGAL {
 namespace Bspline_shells {
 
 /// \ingroup PkgBsplineShell3Fit
-/// \brief tuned numbers of `Slope_enforcement`. They affect time, and which conditions can be met; no proof depends on
-/// them.
+/// \brief tuning parameters of `Slope_enforcement`. They affect time, and which conditions can be met; no proof
+/// depends on them.
 struct Slope_tuning
 {
   /// Number of sweeps over all violated cells.

@@ -31,7 +31,8 @@ namespace Bspline_shells {
  * \ingroup PkgBsplineShell3Mesh
  *
  * \brief Returns how often the fan of facets at a vertex winds around an axis that all of them face. The number is one
- * unless the surface folds through itself at the vertex: even if each facet faces the field, the fan may wind twice.
+ * unless the surface folds through itself at the vertex: even if each facet has a positive slope, the fan may wind
+ * twice.
  *
  * The result is exact. Each facet turns by less than half a turn, so that each turn has one edge that returns past the
  * first one. Orientation predicates count these edges.

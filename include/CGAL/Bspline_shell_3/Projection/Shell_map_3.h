@@ -41,16 +41,15 @@ namespace Bspline_shells {
  * \brief the map from one mesh in a shell to another mesh, along the integral curves of the shell's field.
  *
  * If the shell and both meshes are certified (`Shell_certificate_3`), the map is one-to-one; for simplified borders,
- * see
- * \ref BsplineShell3OpenBorder. Certificates are not required, but the constructor compares the components of the shell
- * in which the two meshes lie:
+ * see \ref BsplineShell3OpenBorder. Certificates are not required, but the constructor compares the components of the
+ * shell in which the two meshes lie:
  * - If the shell is certified, and each mesh is closed or has the border of its closing, each component of the shell is
  *   tested: a mesh is found in it if it has a vertex there, or crosses a path through it. If a mesh is not found, the
- *   status is `COMPONENTS_DIFFER`, and no points are mapped. If all paths through the component are degenerate, the
- *   status is `COMPONENTS_UNKNOWN`.
+ *   status is `COMPONENTS_DIFFER`, and no points are mapped. If all paths through the component meet an edge or a
+ *   vertex of the mesh, the status is `COMPONENTS_UNKNOWN`.
  * - Otherwise, segments through the shell are constructed at the largest facets of each component of both meshes. If
- *   such a segment connects each component with a component of the other mesh, the status is `SUCCESS`; otherwise, it
- *   is `COMPONENTS_UNKNOWN`. Points are mapped in both cases.
+ *   each component of either mesh meets such a segment that also meets the other mesh, the status is `SUCCESS`;
+ *   otherwise, it is `COMPONENTS_UNKNOWN`. Points are mapped in both cases.
  *
  * The map stores an AABB tree for each mesh, which it shares with its copies and with its inverse. Const member
  * functions may be called concurrently. The shell and the meshes must outlive the map and must not change.
@@ -136,7 +135,8 @@ public:
   template <typename... NP>
   Shell_map_3(const Shell&, const Source_mesh&, const Target_mesh&&, const NP&...) = delete;
 
-  /// constructs the map between the meshes of two projections in the same shell
+  /// constructs the map between the meshes of two projections
+  /// \pre both refer to the same shell object
   Shell_map_3(Projection_to_source to_source, Projection_to_target to_target)
     : m_to_source(std::move(to_source)), m_to_target(std::move(to_target))
   {

@@ -87,8 +87,8 @@ public:
                       std::move(facets), std::move(report))
   {}
 
-  /// returns whether there is a shell. If not, `status()` is the reason, and only `status()`, `message()`, and
-  /// `report()` may be called.
+  /// returns whether the object contains a shell. If not, `status()` is the reason, and only `status()`, `message()`,
+  /// and `report()` may be called.
   explicit operator bool() const { return status() == Shell_status::SUCCESS; }
   Shell_status status() const { return m_report.status; }
   const Shell_report& report() const { return m_report; }
@@ -109,11 +109,10 @@ public:
   }
   /// returns the thickness as a fraction of the longest side of the mesh's bounding box
   FT relative_thickness() const { return thickness() / m_report.unit; }
-  /// returns whether all claims about the mesh are proved, when the shell was built or later by
-  /// `Bspline_shells::certify()`, for example for a shell from a file. `Bspline_shells::Shell_certificate_3` examines
-  /// other meshes in the shell.
+  /// returns whether all claims are proved for the mesh for which the shell was built, or for the mesh passed to
+  /// `Bspline_shells::certify()`. `Bspline_shells::Shell_certificate_3` examines other meshes in the shell.
   bool is_certified() const { return status() == Shell_status::SUCCESS && m_report.certificate.are_all_proved(); }
-  /// returns the outcome in one or two sentences: why there is no shell, or whether it is certified
+  /// returns the outcome in one or two sentences: whether the shell is certified, or why none was built
   std::string message() const
   {
     if(status() == Shell_status::SOLVER_FAILED && m_report.fit.status != Bspline_shells::Solver_status::SUCCESS)
@@ -145,8 +144,8 @@ public:
   const std::vector<Level_range>& facet_ranges() const { return m_facets; }
 
   /// returns one or more paths through each component of a certified shell, with which
-  /// `Bspline_shells::match_components()` finds the components in which a mesh lies. Empty if the shell is not
-  /// certified.
+  /// `Bspline_shells::match_components()` finds the components in which a mesh lies. The vector is empty if the shell
+  /// is not certified.
   std::vector<Bspline_shells::Crossing_path> component_paths() const
   {
     std::vector<Bspline_shells::Crossing_path> paths;
@@ -158,21 +157,21 @@ public:
   }
 
   /// returns the paths from a file that may lead through the components of the shell. They are candidates: a
-  /// certificate uses only those that it proves. Empty if the shell is certified.
+  /// certificate uses only those that it proves. The vector is empty if the shell is certified.
   const std::vector<Bspline_shells::Crossing_path>& path_candidates() const { return m_path_candidates; }
 
   /// returns the boxes of the cover with which the certificate of the shell proved that it has no critical point.
-  /// Certificates of other meshes in the shell reuse them. Null if this claim was not proved, in particular for shells
-  /// from a file until they are certified.
+  /// Certificates of other meshes in the shell reuse them. The pointer is null if this claim was not proved, in
+  /// particular for shells from a file until they are certified.
   const std::shared_ptr<const std::vector<Bspline_shells::Cover_box> >& proved_cover() const { return m_cover; }
   /// returns bounds of the field on cells, computed by the certificate with which the shell was built. Certificates and
-  /// edits of meshes use them, and add bounds on further cells. They take up to 425 bytes per cell of the field. Null
-  /// if no certificate has examined the shell.
+  /// edits of meshes use them, and add bounds on further cells. They take up to 425 bytes per cell of the field. The
+  /// pointer is null if no certificate has examined the shell.
   const std::shared_ptr<const Bounds>& cell_bounds() const { return m_cell_bounds; }
 
   /// returns the position of `p` relative to the shell; `ON_BOUNDED_SIDE` means inside the shell. Points outside the
-  /// field's domain are outside the shell, and so are all points if there is no shell. Evaluated in `double`
-  /// arithmetic.
+  /// field's domain are outside the shell, and so are all points if there is no shell. The position is computed in
+  /// `double` arithmetic.
   Bounded_side bounded_side(const Point_3& p) const
   {
     if(!*this) return ON_UNBOUNDED_SIDE;
@@ -233,9 +232,9 @@ struct Shell_access
     shell.m_path_candidates.clear();
   }
   // Marks exactly the cells of the cover.
-  // pre: the cover belongs to a certificate of a mesh in this shell, which proved the gradient claim with it. If this
-  // is
-  //   not the certificate of `report()`, `least_gradient` of `report()` is zero, and the bound is computed on demand.
+  // pre: the cover belongs to a certificate of a mesh in this shell, which proved
+  // the gradient claim with it. If this is not the certificate of `report()`, `least_gradient` of `report()` is zero,
+  // and the bound is computed on demand.
   template <typename Shell>
   static void set_proved_cover(Shell& shell, std::vector<Cover_box> boxes)
   {

@@ -158,7 +158,7 @@ inline const char* name(Certificate_witness::Reason reason)
     case Certificate_witness::OUTSIDE: return "outside";
     case Certificate_witness::CRITICAL_POINT: return "critical point";
     case Certificate_witness::BOX: return "box";
-    case Certificate_witness::BOUNDARY_OF_DOMAIN: return "end of domain";
+    case Certificate_witness::BOUNDARY_OF_DOMAIN: return "boundary of domain";
     case Certificate_witness::TWO_SHEETS: return "two sheets";
     case Certificate_witness::EMPTY_COMPONENT: return "empty component";
     case Certificate_witness::OTHER_COMPONENT: return "other component";
@@ -233,15 +233,15 @@ struct Certificate_report
   std::vector<Crossing_path> paths;
   /// more paths through the same components, for other meshes that have an edge or a vertex on a path of `paths`
   std::vector<Crossing_path> spare_paths;
-  /// a lower bound of \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved
+  /// a lower bound on \f$|\nabla f|\f$ in the shell; 0 if the gradient claim is not proved
   double least_gradient = 0;
-  /// an upper bound of \f$|\nabla f|\f$ on the cells of the cover; infinite if there is none
+  /// an upper bound on \f$|\nabla f|\f$ on the cells of the cover; infinite if there is none
   double largest_gradient = std::numeric_limits<double>::infinity();
-  /// an upper bound of the length of integral curves in the shell, in the units of the coordinates. It bounds the
+  /// an upper bound on the length of integral curves in the shell, in the units of the coordinates. It bounds the
   /// distance between a point and its image on any other certified mesh. Infinite if the gradient claim is not proved.
   /// `Shell_certificate_3::displacement_bounds()` returns a bound for each facet.
   double displacement_bound = std::numeric_limits<double>::infinity();
-  /// a lower bound of the angle between integral curves and facets, in radians; 0 if containment or transversality is
+  /// a lower bound on the angle between integral curves and facets, in radians; 0 if containment or transversality is
   /// not proved
   double least_angle = 0;
   double least_cone_margin = 0; ///< smallest cone margin of a vertex (`vertex_cone_margin()`)

@@ -53,9 +53,8 @@ struct Soup_triangles
  * consists of all vertices and edges that belong to both parts. A *pin* is a vertex or an edge of the contact that is
  * not on the border of the mesh.
  *
- * If another mesh has the border and the pins of this mesh, and no other vertex, edge, or facet in common with the
- * excised triangles, then it can replace the mesh, and the excised triangles remain where they are: see
- * `check_replacement()`.
+ * Another mesh can replace this mesh if it has the same border and pins, and no other vertex, edge, or facet in common
+ * with the excised triangles (`check_replacement()`). The excised triangles remain where they are.
  */
 class Excised_soup_3
 {
@@ -99,7 +98,7 @@ public:
   /// returns the vertices of the mesh that are not on its border, but belong to excised triangles, ascending
   const std::vector<Mesh::Vertex_index>& pinned_vertices() const { return m_pinned_vertices; }
   /// returns the edges of the mesh that are not on its border, but belong to excised triangles, ascending. Their
-  /// vertices may be on the border; those that are not are pinned, too.
+  /// vertices are also pinned, unless they are on the border.
   const std::vector<Mesh::Edge_index>& pinned_edges() const { return m_pinned_edges; }
 
   const Excision_report& report() const { return m_report; }

@@ -61,7 +61,7 @@ enum class Certification
 {
   NONE,           ///< no mesh
   EXCEPT_EXCISED, ///< the mesh of the shell, which is the input except for the excised triangles
-  WHOLE           ///< the mesh of the shell, of which no triangle is excised
+  WHOLE           ///< the mesh of the shell; no triangle is excised, but the mesh may be a proxy
 };
 
 /// \ingroup PkgBsplineShell3Soup
@@ -83,7 +83,8 @@ inline const char* message_beside_proxy(Shell_status status)
 {
   switch(status) {
     case Shell_status::NON_MANIFOLD: return "The mesh is not manifold at the listed facets or vertices.";
-    case Shell_status::NOT_ORIENTABLE: return "The mesh is one-sided, so its facets cannot be oriented consistently.";
+    case Shell_status::NOT_ORIENTABLE:
+      return "The mesh is not orientable, so its facets cannot be oriented consistently.";
     case Shell_status::NOT_CLOSABLE:
       return "The mesh is open, and neither caps of its holes nor a sheet behind it can close it at the listed facets.";
     case Shell_status::SELF_INTERSECTION: return "The mesh intersects itself at the listed facets.";
@@ -163,7 +164,8 @@ struct Shell_of_soup_3
     return kind() == Shell_kind::EXCISED && !excised->excised_triangles().empty() ? Certification::EXCEPT_EXCISED
                                                                                   : Certification::WHOLE;
   }
-  /// returns whether the shell is certified, and no triangle of the input is excised
+  /// returns whether the whole mesh of the shell is certified. If this mesh is a proxy, the map from the polygons is
+  /// not one-to-one.
   bool is_certified() const { return certification() == Certification::WHOLE; }
   /// returns the outcome for the polygons as a mesh in a few sentences; for a proxy, the reason for using it
   std::string mesh_message() const

@@ -61,7 +61,7 @@ public:
   {
     if(!*this) return Bspline_shells::message(m_status, m_invalid_parameter);
     if(is_certified() && m_report.exceeds_requested_thickness)
-      return "All claims are proved for the shell of the proxy, which is thicker than requested to reach the polygons.";
+      return "All claims are proved for the shell of the proxy. To reach the polygons, it is thicker than requested.";
     return m_shell.message();
   }
 

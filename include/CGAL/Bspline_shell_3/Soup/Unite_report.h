@@ -85,8 +85,8 @@ inline std::string message(const Unite_report& report)
   if(!report) return message(report.status);
   std::ostringstream text;
   text.imbue(std::locale::classic());
-  text << report.united_solids << " closed parts that are pushed into each other were united, which hides "
-       << std::setprecision(2) << 100 * report.hidden_area << " % of the area.";
+  text << report.united_solids << " overlapping closed parts were united; " << std::setprecision(2)
+       << 100 * report.hidden_area << " % of their area is hidden inside.";
   return text.str();
 }
 

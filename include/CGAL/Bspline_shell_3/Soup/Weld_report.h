@@ -48,8 +48,8 @@ inline std::string message(const Weld_report& report)
     if(report.welded_points > 0) out << number(report.welded_points, "point") << " welded";
     if(report.welded_points > 0 && report.split_edges > 0) out << " and ";
     if(report.split_edges > 0) out << number(report.split_edges, "edge") << " split";
-    out << " (within " << report.tolerance << "): of " << report.border_edges_before << " border edges, "
-        << report.border_edges_after << " are left.";
+    out << " (within " << report.tolerance << "): " << report.border_edges_after << " of " << report.border_edges_before
+        << " border edges remain.";
   } else if(report.is_too_coarse && report.border_edges_before > 0) {
     out << "Coordinates that are rounded to " << report.unit
         << " are too coarse to close cracks: subtract an offset before they are rounded, or choose a tolerance "

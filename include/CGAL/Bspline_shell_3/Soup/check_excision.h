@@ -70,9 +70,9 @@ Excision_verdict check_excision(const Excised_soup_3& soup,
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief checks, exactly, that a mesh can replace the mesh of an excised soup: it is an oriented manifold with the same
- * directed border and the same pins, bit for bit, and has no other vertex, edge, or facet in common with the excised
- * triangles. Vertices are equal if they have equal coordinates.
+ * \brief checks, exactly, that a mesh can replace the mesh of an excised soup. It must be an oriented manifold with the
+ * same directed border and the same pins, bit for bit. It must have no other vertex, edge, or facet in common with the
+ * excised triangles. Vertices are equal if they have equal coordinates.
  *
  * \param soup a valid excised soup (`check_excision()`)
  * \param mesh a triangle mesh without garbage

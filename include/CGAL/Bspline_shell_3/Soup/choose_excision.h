@@ -21,10 +21,10 @@ namespace Bspline_shells {
 struct Excision_parameters
 {
   /// Vertices on the border, and pins, have at least this cone margin. The closing adds facets to the fan of a border
-  /// vertex, which reduces its margin; with 0.1, it usually remains above 0.01, the margin at which tips are truncated.
+  /// vertex, which reduces its margin. A default of 0.1 leaves room for this reduction.
   double least_cone_margin = 0.1;
-  /// Pieces that excision separated are excised, too, if their area is a smaller fraction of that of the largest piece
-  /// of their component. Such pieces would need a closing each.
+  /// A piece that excision separates is excised as well if its area is less than this fraction of the area of the
+  /// largest piece of its component. Otherwise, each small piece would need its own closing.
   double largest_fragment = 0.01;
 };
 
@@ -46,7 +46,7 @@ Soup_triangles different_triangles(Polygon_soup soup);
  *
  * Triangles are excised, in this order,
  * - if they have no area;
- * - if they intersect others (one of each two triangles, preferably such with few neighbors);
+ * - if they intersect others (one of each two triangles, preferably the one with fewer neighbors);
  * - at edges with more than two triangles (all but two);
  * - at edges where orientations contradict each other (the smaller triangle);
  * - at vertices with several fans (all but that of the largest piece);

@@ -69,7 +69,7 @@ struct Weld_parameters
  * - if no border edge would be closed, or an edge would have three polygons, or two of equal orientation;
  * - if the polygons at a vertex would not form one fan, or two polygons would have the same corners;
  * - if the normal of a facet would turn by 10 degrees or more;
- * - if facets would intersect of polygons that do not intersect in the soup.
+ * - if facets of polygons that do not intersect in the soup would then intersect.
  *
  * \param soup the soup
  * \param parameters the distances

@@ -102,10 +102,10 @@ private:
  * \brief writes a report on a shell and its construction as a JSON object.
  *
  * The object contains the status, the kind of shell, a message, the repairs, the welding, sizes, claims, times and, if
- * the shell is not certified, the obstacles. It also contains how parts were united, how many triangles were excised
- * for which reason, how holes were closed or, for a proxy, which share of the area the proxy represents and why the
- * mesh itself has no certified shell. Lengths are in the units of the coordinates, and times in seconds. Offending
- * facets and vertices are `Shell_of_soup_3::offending_simplices`.
+ * the shell is not certified, the obstacles. It also contains the united parts, the number of excised triangles for
+ * each reason, and the closed holes. For a proxy, it contains the share of the area that the proxy represents, and the
+ * reason why the mesh itself has no certified shell. Lengths are in the units of the coordinates, and times in seconds.
+ * Offending facets and vertices are `Shell_of_soup_3::offending_simplices`.
  *
  * \param out a stream; its format flags and locale are restored
  * \param result the shell

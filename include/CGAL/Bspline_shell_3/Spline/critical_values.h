@@ -28,8 +28,8 @@ namespace Bspline_shells {
  * Let \f$g = f\f$. If \f$f\f$ is quadratic with a critical point at \f$c\f$, the result is constant, by Euler's
  * identity. On a box that is small relative to the third derivatives of \f$f\f$, it is nearly constant. Its
  * coefficients therefore enclose the values of \f$g\f$ at critical points of \f$f\f$ much more closely than those of
- * \f$g\f$ do. This includes walls of every direction, in whose middle all points are nearly critical. The degree is
- * three along each axis, like that of \f$f\f$.
+ * \f$g\f$ do. This also holds in the middle of thin walls of any orientation, where the gradient is nearly zero. The
+ * degree is three along each axis, like that of \f$f\f$.
  *
  * \param center any point \f$c\f$, in local coordinates; it may be rounded
  */

@@ -23,7 +23,7 @@ namespace Bspline_shells {
  * \brief returns whether \f$\sum_i \lambda_i g_i - \frac{1}{2} \sum_{i<j} \lambda_i \lambda_j q_{ij}\f$ is proved to be
  * positive for all barycentric coordinates \f$\lambda\f$ of a triangle.
  *
- * The expression is a lower bound of a function that is \f$g_i\f$ at the corners. The second derivative of this
+ * The expression is a lower bound on a function that is \f$g_i\f$ at the corners. The second derivative of this
  * function along the edge from corner i to j, times the squared length of the edge, is at most \f$q_{ij}\f$.
  *
  * The coordinates sum to one. The expression is therefore the quadratic form of the matrix \f$a_{ii} = g_i\f$,

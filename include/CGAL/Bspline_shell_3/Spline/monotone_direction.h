@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Returns an upper bound of the length of a vector. Components are scaled, because squares of small or large numbers
+// Returns an upper bound on the length of a vector. Components are scaled, because squares of small or large numbers
 // would underflow or overflow. The bound is infinite if a component is infinite, and NaN if a component is NaN.
 inline double length_bound(const std::array<double, 3>& v)
 {

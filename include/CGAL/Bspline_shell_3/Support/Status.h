@@ -91,7 +91,7 @@ inline const char* message(Shell_status status)
       return "The mesh is not manifold at the listed facets or vertices: separate the parts that meet there, or build "
              "a proxy (CGAL::certified_soup_proxy_3).";
     case Shell_status::NOT_ORIENTABLE:
-      return "The mesh is one-sided, so its facets cannot be oriented consistently: cut it open, or build a proxy "
+      return "The mesh is not orientable, so its facets cannot be oriented consistently: cut it open, or build a proxy "
              "(CGAL::certified_soup_proxy_3).";
     case Shell_status::OPEN_MESH:
       return "The mesh is open at the listed facets: close its holes "

@@ -42,7 +42,7 @@ public:
   {
     std::array<double, 3> point;
     Cell_index cell; // a cell that contains the point; `no_cell` outside the domain
-    // lower bounds of the field minus the inner threshold, and of the outer one minus the field
+    // lower bounds on the field minus the inner threshold, and on the outer one minus the field
     double above, below;
     std::array<double, 3> gradient; // per user unit, rounded
   };

@@ -116,7 +116,7 @@ public:
     return values.max - values.min < close * (std::max)(values.min, -values.max);
   }
 
-  // Returns a lower bound of the length of the gradient in the shell, per unit of the box, for a box that is not
+  // Returns a lower bound on the length of the gradient in the shell, per unit of the box, for a box that is not
   // undecided. It bounds the derivative along the direction of the box or a better one, or toward the center of the
   // box.
   double gradient_bound(const Functions& functions, const Cover_box& box) const
@@ -156,7 +156,7 @@ public:
   }
 
 private:
-  // Returns a lower bound of the difference by which the field is beyond a threshold at all critical points in a box.
+  // Returns a lower bound on the difference by which the field is beyond a threshold at all critical points in a box.
   double beyond_threshold(const Functions& functions, Box_kind kind, const std::array<double, 3>& center) const
   {
     const bool below = kind == Box_kind::CRITICAL_BELOW;
@@ -169,7 +169,7 @@ private:
     return below ? -above.max : above.min;
   }
 
-  // Returns an upper bound of half the distance of points of a box from a center, in units of the box.
+  // Returns an upper bound on half the distance of points of a box from a center, in units of the box.
   static double reach(const std::array<double, 3>& center)
   {
     std::array<double, 3> farthest;
@@ -190,7 +190,7 @@ private:
     }
   }
 
-  // Returns an upper bound of the length of the gradient of the threshold f - (f - threshold).
+  // Returns an upper bound on the length of the gradient of the threshold f - (f - threshold).
   static double steepest_threshold(const Enclosed_tricubic& f, const Enclosed_tricubic& above)
   {
     const Enclosed_tricubic threshold = difference(f, above);

@@ -100,7 +100,7 @@ public:
     return octants;
   }
 
-  // Encloses the values of the field where a box may be in the shell at the end of the domain.
+  // Encloses the values of the field where a box may be in the shell at the boundary of the domain.
   Level_range range_at_end(const Cover_box& box) const
   {
     const Part part = this->part(box);
@@ -136,7 +136,7 @@ public:
 
 private:
   static constexpr int max_depth = 7;        // halvings of a cell
-  static constexpr int max_depth_at_end = 4; // halvings, if only the end of the domain is undecided
+  static constexpr int max_depth_at_end = 4; // halvings, if only the boundary of the domain is undecided
   // A cell with as many boxes is not subdivided further: if a critical point is in the shell, no depth decides its box.
   static constexpr std::size_t max_boxes = 512, max_boxes_after_giving_up = 64;
 

@@ -32,7 +32,7 @@ struct Facet_bounds
   // whether a claim fails at a point that is off the triangle by rounding at most: not a proof. The search stops
   // there.
   bool leaves_shell = false, faces_away = false;
-  // lower bound of the field's derivative along the unit normal, per user unit, if the triangle is transversal;
+  // lower bound on the field's derivative along the unit normal, per user unit, if the triangle is transversal;
   // otherwise 0
   double slope = 0;
 };
@@ -358,7 +358,7 @@ private:
   const Facet_normal& m_normal;
   Coordinates m_absolute_normal;
   double m_shift;  // by which rounding may displace corners of parts
-  double m_enough; // bound of the slope on a part that suffices
+  double m_enough; // bound on the slope on a part that suffices
   std::size_t m_bisections_left;
   Facet_bounds m_result;
   // The cells of the current region, after the cells of the regions that contain it.

@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// A lower bound of the quantity in question, per user unit. A proved bound suffices if it is at least `enough`.
+// A lower bound on the quantity in question, per user unit. A proved bound suffices if it is at least `enough`.
 struct Least_value
 {
   double enough, value;

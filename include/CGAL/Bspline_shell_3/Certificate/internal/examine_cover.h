@@ -59,7 +59,7 @@ struct Proved_cover
   double least_gradient = 0, largest_gradient = std::numeric_limits<double>::infinity();
 };
 
-// Returns an upper bound of the length of the gradient on a leaf cell, from differences of coefficients.
+// Returns an upper bound on the length of the gradient on a leaf cell, from differences of coefficients.
 template <typename Field>
 double largest_gradient(const Field& field, typename Field::Cell_index c)
 {

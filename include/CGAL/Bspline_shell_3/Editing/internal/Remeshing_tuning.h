@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Tuned numbers of remeshing. The quality of a triangle is 1 if it is equilateral, and 0 if it has no area.
+// Tuning parameters of remeshing. The quality of a triangle is 1 if it is equilateral, and 0 if it has no area.
 struct Remeshing_tuning
 {
   // Lengths relative to the target above which edges are split, and below which they are collapsed.

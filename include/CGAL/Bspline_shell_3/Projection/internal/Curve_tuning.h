@@ -12,8 +12,8 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Tuned numbers of traced curves. They affect time, and which points have no image; each image meets its tolerance or
-// has a status with the reason.
+// Tuning parameters of traced curves. They affect time, and which points have no image; each image meets its tolerance
+// or has a status with the reason.
 struct Curve_tuning
 {
   // Distance beyond a face of its cell at which a curve moves on to the next cell, in widths of the cell.

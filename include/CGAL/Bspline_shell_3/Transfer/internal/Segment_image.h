@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Tuned numbers of images of polylines. They affect which deviations are noticed.
+// Tuning parameters of images of polylines. They affect which deviations are noticed.
 struct Polyline_tuning
 {
   // Places at which the distance of the image curve from a chord is checked, as fractions of the chord's parameters.

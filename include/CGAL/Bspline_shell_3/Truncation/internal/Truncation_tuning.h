@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// Tuned numbers of truncation. Margins are cone margins (`vertex_cone_margin()`), and radii are those of the balls
+// Tuning parameters of truncation. Margins are cone margins (`vertex_cone_margin()`), and radii are those of the balls
 // within which facets are cut.
 struct Truncation_tuning
 {
