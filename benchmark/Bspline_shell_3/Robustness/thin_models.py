@@ -181,6 +181,31 @@ def propeller(t):
     return points, facets
 
 
+def prism(section, cap, length):
+    """Returns a prism over a polygon in the (x, z) plane, with the triangles of its front."""
+    n = len(section)
+    points = [[x, y, z] for y in (0., length) for x, z in section]
+    facets = []
+    for i in range(n):
+        j = (i + 1) % n
+        facets += [[i, n + i, n + j], [i, n + j, j]]
+    for a, b, c in cap:
+        facets += [[a, b, c], [n + a, n + c, n + b]]
+    return points, facets
+
+
+def groove(half_width):
+    """Returns a block with a groove that narrows toward its bottom, at 10 % of the box size below the surface."""
+    section = [(0., 0.), (1., 0.), (1., 0.4), (0.5 + half_width, 0.4), (0.5, 0.3), (0.5 - half_width, 0.4), (0., 0.4)]
+    return prism(section, [(0, 1, 4), (1, 2, 3), (1, 3, 4), (0, 4, 5), (0, 5, 6)], 0.5)
+
+
+def fin(half_width):
+    """Returns a block with a fin that narrows toward its edge, at 10 % of the box size above the surface."""
+    section = [(0., 0.), (1., 0.), (1., 0.4), (0.5 + half_width, 0.4), (0.5, 0.5), (0.5 - half_width, 0.4), (0., 0.4)]
+    return prism(section, [(0, 1, 3), (1, 2, 3), (3, 4, 5), (0, 3, 5), (0, 5, 6)], 0.5)
+
+
 def main():
     if len(sys.argv) != 2:
         print(__doc__.strip(), file=sys.stderr)
@@ -188,7 +213,7 @@ def main():
     folder = sys.argv[1]
     os.makedirs(folder, exist_ok=True)
     models = [(plate, (2, 0.5, 0.1, 0.02)), (plain_plate, (0.1,)), (near_plates, (0.5, 0.1)), (comb, (1, 0.2)), (hollow_box, (1, 0.1)),
-              (engraved, (1, 0.1)), (wine_glass, (2, 1, 0.2)), (bowl, (2,)), (propeller, (1, 0.2))]
+              (engraved, (1, 0.1)), (wine_glass, (2, 1, 0.2)), (bowl, (2,)), (propeller, (1, 0.2)), (groove, (1, 0.5, 0.2)), (fin, (1, 0.5, 0.2))]
     for make, percents in models:
         for percent in percents:
             write(os.path.join(folder, f"{make.__name__}_{percent:g}.off"), *make(percent / 100))

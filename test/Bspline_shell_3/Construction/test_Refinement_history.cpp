@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -53,6 +54,26 @@ TEST_CASE("Refinement history: refinement is stalled after too many successive r
     history.add_round(round_with(0, 5, 91), 0.91);
     CHECK(history.is_stalled());
   }
+}
+
+TEST_CASE("Refinement history: refinement is stalled if failing cells are at folds and do not become fewer")
+{
+  const BS::Refinement_tuning tuning;
+  const auto is_stalled_after = [&](const std::vector<std::array<std::size_t, 2> >& rounds) {
+    BS::Refinement_history history(0, tuning);
+    for(const auto& round : rounds) {
+      CHECK_FALSE(history.is_stalled());
+      history.add_failing_cells(round[0], round[1]);
+    }
+    return history.is_stalled();
+  };
+  REQUIRE(tuning.max_rounds_at_folds == 3);
+  CHECK(is_stalled_after({ { 20, 15 }, { 20, 15 }, { 40, 30 }, { 80, 60 } }));
+  CHECK_FALSE(is_stalled_after({ { 20, 15 }, { 20, 15 }, { 40, 30 }, { 80, 59 } })); // many are elsewhere
+  CHECK_FALSE(is_stalled_after({ { 20, 20 }, { 19, 19 }, { 19, 19 }, { 19, 19 } }));
+  CHECK_FALSE(is_stalled_after({ { 20, 20 }, { 20, 20 }, { 20, 20 }, { 19, 19 }, { 20, 20 } })); // fewer in between
+  CHECK(is_stalled_after({ { 20, 20 }, { 1, 1 }, { 5, 5 }, { 4, 4 }, { 3, 3 } }));               // never as few as once
+  CHECK_FALSE(is_stalled_after({ { 0, 0 }, { 0, 0 }, { 0, 0 }, { 0, 0 } }));
 }
 
 TEST_CASE("Refinement history: a facet causes a few refinements only, at most one per round")

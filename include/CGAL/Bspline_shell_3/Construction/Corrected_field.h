@@ -6,7 +6,6 @@
 #ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_CORRECTED_FIELD_H
 #define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_CORRECTED_FIELD_H
 
-#include <CGAL/Bspline_shell_3/Construction/Condition_tuning.h>
 #include <CGAL/Bspline_shell_3/Construction/Examined_field.h>
 #include <CGAL/Bspline_shell_3/Construction/Fitted_field.h>
 #include <CGAL/Bspline_shell_3/Construction/Marked_cells.h>
@@ -101,11 +100,6 @@ private:
                                   : (std::min)(m_problem.target_slopes[facet], m_slope_limits[c]);
   }
 
-  bool is_at_fold(std::uint32_t facet) const
-  {
-    return m_problem.target_slopes[facet] < condition_tuning.fold_margin * m_problem.parameters.slope_fraction;
-  }
-
   // returns the bound on |f| on the mesh at which corrections aim, in units of the width of root cells
   double largest_on_mesh(Index c) const
   {
@@ -121,8 +115,8 @@ private:
       needs_conditions, [&](Index c) { return largest_on_mesh(c); }));
     if(m_has_folds) {
       const std::vector<Slope_condition> at_folds = fold_conditions<ConcurrencyTag>(
-        *m_fitted.field(), m_fitted.clipped(), [&](std::uint32_t facet) { return is_at_fold(facet); }, needs_conditions,
-        m_problem.parameters.slope_fraction);
+        *m_fitted.field(), m_fitted.clipped(), [&](std::uint32_t facet) { return m_problem.is_at_fold(facet); },
+        needs_conditions, m_problem.parameters.slope_fraction);
       m_has_folds = !at_folds.empty();
       m_enforcement->insert(at_folds);
     }

@@ -6,6 +6,7 @@
 #ifndef CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINEMENT_PROBLEM_H
 #define CGAL_BSPLINE_SHELL_3_CONSTRUCTION_REFINEMENT_PROBLEM_H
 
+#include <CGAL/Bspline_shell_3/Construction/Condition_tuning.h>
 #include <CGAL/Bspline_shell_3/Construction/Refinement_parameters.h>
 #include <CGAL/Bspline_shell_3/Construction/slope_conditions.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
@@ -57,6 +58,13 @@ public:
     const Bbox_3 b = field.cell(c).bbox();
     return thickness(Field::Point_3((b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2))
            / 2;
+  }
+
+  /// returns whether a triangle is at a fold: the slope possible at one of its vertices is below
+  /// `Condition_tuning::fold_margin`
+  bool is_at_fold(std::uint32_t triangle) const
+  {
+    return target_slopes[triangle] < condition_tuning.fold_margin * parameters.slope_fraction;
   }
 
   /// returns the local gap of the mesh, which the first call builds

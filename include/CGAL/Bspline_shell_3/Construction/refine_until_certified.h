@@ -31,6 +31,7 @@
 #include <CGAL/Bspline_shell_3/Shell/Refinement_obstacle.h>
 #include <CGAL/Bspline_shell_3/Shell/Refinement_round.h>
 #include <CGAL/Bspline_shell_3/Support/Progress.h>
+#include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
 #include <algorithm>
 #include <array>
@@ -170,6 +171,7 @@ private:
       m_history.add_round(m_budget.round(), m_examined.thresholds().undecided_volume());
     }
     m_history.add_refinements(corrected.facets_with_small_slopes());
+    record_failing_cells(corrected, found);
     return found;
   }
 
@@ -181,6 +183,20 @@ private:
     found.thick.clear();
     if(m_is_corrected || found.are_many_thick)
       for(const Thick_cell& t : m_examined.thick_cells()) found.thick.push_back(t.cell);
+  }
+
+  // records how many cells fail, and how many of them contain facets at folds
+  void record_failing_cells(const Corrected& corrected, const Round_findings& found)
+  {
+    std::vector<Index> failing = cells_of(found.obstacles);
+    failing.insert(failing.end(), found.thick.begin(), found.thick.end());
+    for(const Sloping_facet& f : corrected.facets_with_small_slopes()) failing.push_back(f.cell);
+    sort_unique(failing);
+    std::vector<char> is_at_fold(field()->number_of_cells(), 0);
+    for(const Clipped_mesh_3::Piece& piece : m_fitted.clipped().pieces())
+      if(m_problem.is_at_fold(piece.facet)) is_at_fold[piece.cell] = 1;
+    const auto at_folds = std::count_if(failing.begin(), failing.end(), [&](Index c) { return is_at_fold[c]; });
+    m_history.add_failing_cells(failing.size(), std::size_t(at_folds));
   }
 
   // Returns the cells that are thick or nearly thick; the latter are often thick in the next round.
