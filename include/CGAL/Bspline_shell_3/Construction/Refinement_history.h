@@ -73,13 +73,13 @@ public:
     m_fewest_facets = (std::min)(m_fewest_facets, round.failing_facets);
     m_fewest_obstacles = (std::min)(m_fewest_obstacles, double(round.undecided_cells));
   }
-  /// records the number of failing cells of a round, and how many of them are at folds
+  /// records the number of failing cells of a round, and how many of them are at folds. Zero means that the round
+  /// cannot be compared with others.
   void add_failing_cells(std::size_t number, std::size_t at_folds)
   {
-    const bool is_stalled = number > 0 && number >= m_fewest_failing
-                            && double(at_folds) >= m_tuning.share_at_folds * double(number);
+    const bool is_stalled = number >= m_failing_before && double(at_folds) >= m_tuning.share_at_folds * double(number);
     m_rounds_at_folds = is_stalled ? m_rounds_at_folds + 1 : 0;
-    m_fewest_failing = (std::min)(m_fewest_failing, number);
+    m_failing_before = number > 0 ? number : std::numeric_limits<std::size_t>::max();
   }
   /// returns whether the last rounds made no progress
   bool is_stalled() const
@@ -132,7 +132,7 @@ private:
   const Refinement_tuning& m_tuning;
   std::vector<int> m_refinements; // by facet: how often it caused refinement
   double m_least_volume = std::numeric_limits<double>::infinity(), m_fewest_obstacles = m_least_volume;
-  std::size_t m_fewest_facets = std::numeric_limits<std::size_t>::max(), m_fewest_failing = m_fewest_facets;
+  std::size_t m_fewest_facets = std::numeric_limits<std::size_t>::max(), m_failing_before = m_fewest_facets;
   int m_stalled_rounds = 0, m_rounds_at_folds = 0;
   bool m_were_very_many = false, m_are_gaps_narrow = false;
 };

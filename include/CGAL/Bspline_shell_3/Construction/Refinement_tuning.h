@@ -106,10 +106,9 @@ struct Refinement_tuning
   /// volume or the number of obstacles below `progress` times the smallest one so far.
   int max_stalled_rounds = 4;
   double progress = 0.9;
-  /// Refinement also ends after `max_rounds_at_folds` successive rounds in which at least the fraction `share_at_folds`
-  /// of the failing cells are at folds, and their number is not the smallest one so far. Near a fold, the field looks
-  /// the same on cells of all sizes. Of \cgal's closed OFF files, this affects hand only, which is not certified on
-  /// smaller cells either.
+  /// Refinement also ends after `max_rounds_at_folds` successive rounds without thick cells in which at least the
+  /// fraction `share_at_folds` of the failing cells contain facets at folds, and no fewer cells fail than in the round
+  /// before. Near a fold, the field looks the same on cells of all sizes.
   int max_rounds_at_folds = 3;
   double share_at_folds = 0.75;
   /// @}

@@ -171,7 +171,8 @@ private:
       m_history.add_round(m_budget.round(), m_examined.thresholds().undecided_volume());
     }
     m_history.add_refinements(corrected.facets_with_small_slopes());
-    record_failing_cells(corrected, found);
+    if(!found.are_many_thick && found.thick.empty()) record_failing_cells(corrected, found);
+    else m_history.add_failing_cells(0, 0); // at a fold, cells are thick until they are small enough
     return found;
   }
 
@@ -189,7 +190,6 @@ private:
   void record_failing_cells(const Corrected& corrected, const Round_findings& found)
   {
     std::vector<Index> failing = cells_of(found.obstacles);
-    failing.insert(failing.end(), found.thick.begin(), found.thick.end());
     for(const Sloping_facet& f : corrected.facets_with_small_slopes()) failing.push_back(f.cell);
     sort_unique(failing);
     std::vector<char> is_at_fold(field()->number_of_cells(), 0);

@@ -86,7 +86,7 @@ inline std::string message(const Unite_report& report)
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << report.united_solids << " overlapping closed parts were united; " << std::setprecision(2)
-       << 100 * report.hidden_area << " % of their area is hidden inside.";
+       << 100 * report.hidden_area << " % of the area is hidden inside.";
   return text.str();
 }
 
