@@ -4,8 +4,12 @@
    thin_models.py FOLDER
 
 Lengths are fractions of the longest side of a model's box; names contain them in percent: plate_0.1.off is 0.1 % thick.
-Those of grooves and fins contain half of the width at the surface. """ import itertools import math import os import
-sys
+Those of grooves and fins contain half of the width at the surface.
+"""
+import itertools
+import math
+import os
+import sys
 
 
 def write(path, points, facets):
