@@ -135,7 +135,7 @@ CLI::Validator positive(double largest = std::numeric_limits<double>::infinity()
     [largest](std::string& text) {
       double x = 0;
       if(Tool::read_number(text, x) && x > 0 && x <= largest) return std::string();
-      return "must be a positive number"
+      return "must be positive"
              + (std::isfinite(largest) ? " and at most " + std::to_string(int(largest)) : std::string()) + ", not "
              + text + ".";
     },

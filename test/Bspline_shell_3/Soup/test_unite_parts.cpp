@@ -183,7 +183,7 @@ TEST_CASE("Uniting parts: two cubes that overlap at a corner become one solid wi
   CHECK(united.report.groups == 1);
   CHECK(united.report.coplanar_pairs == 0);
   CHECK(united.report.hidden_area == Approx(6. / 48));
-  CHECK(message(united.report).find("2 closed parts") == 0);
+  CHECK(message(united.report).find("2 overlapping closed parts") == 0);
 
   SECTION("turned inside out, the result is inside out")
   {

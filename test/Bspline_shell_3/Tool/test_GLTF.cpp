@@ -461,7 +461,7 @@ TEST_CASE("GLTF: materials of OBJ files and back")
   const Model model = model_of(obj, "part.obj");
   const Written_files written = write_model(model, "folder/part.gltf");
   REQUIRE(written.warnings.size() == 1);
-  CHECK(written.warnings[0].find("An OBJ file") == 0);
+  CHECK(written.warnings[0].find("A glTF file") == 0);
   CHECK(written.files[0].second.find("\"../pictures/old%20oak.png\"") != std::string::npos);
   const Model gltf = model_of(text_of(model, "part.glb"), "part.glb");
   const Attribute& material = *gltf.find(material_name, Element::POLYGON);

@@ -303,7 +303,7 @@ with tempfile.TemporaryDirectory() as folder:
     assert report["overlapping_texels"] > 100 and "overlap" in report["warnings"][0], report
     write(path("beyond.obj"), as_obj(other, other_triangles, [[(2 * u, v) for u, v in corners] for corners in atlas]))
     report = result(source, path("beyond.obj"), "-o", path("baked.obj"), "--bake", path("baked.png"), "--size", "64")
-    assert any("between 0 and 1" in warning for warning in report["warnings"]), report
+    assert any("outside [0, 1]" in warning for warning in report["warnings"]), report
     done = run(source, path("plain.obj"), "-o", path("baked.obj"), "--bake", path("baked.png"))
     assert done.returncode == WRONG_INPUT and "no texture coordinates" in done.stderr, done
     write(path("line.obj"), as_obj(other, other_triangles, [[(0.5,)] * 3] * len(other_triangles)))

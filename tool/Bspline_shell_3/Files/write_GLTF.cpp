@@ -169,7 +169,7 @@ private:
       return p.x() == float(p.x()) && p.y() == float(p.y()) && p.z() == float(p.z());
     };
     if(std::all_of(points.begin(), points.end(), is_float)) return;
-    written.warnings.push_back("Coordinates are rounded to single precision: a glTF file cannot hold more digits.");
+    written.warnings.push_back("Coordinates are rounded to single precision: a glTF file cannot store more digits.");
     CGAL::Bbox_3 box;
     for(const auto& p : points) box += p.bbox();
     for(int axis = 0; axis < 3; ++axis) m_origin[std::size_t(axis)] = (box.min(axis) + box.max(axis)) / 2;
@@ -255,8 +255,8 @@ void write_GLTF(const Model& model, const std::string& file, Written_files& writ
 {
   tinygltf::Model gltf = *materials_of(model);
   if(model.assets == nullptr && has_other_properties(model.materials))
-    written.warnings.push_back("Of materials, a glTF file holds only names, colors (Kd), opacities (d), and color "
-                               "textures (map_Kd, with -o, -s, and -clamp).");
+    written.warnings.push_back("A glTF file stores only names, colors (Kd), opacities (d), and color textures (map_Kd, "
+                               "with -o, -s, and -clamp) of materials.");
   move_images(gltf, model.folder, std::filesystem::path(file).parent_path().string());
   for(tinygltf::Image& image : gltf.images)
     if(!image.image.empty()) image.bufferView = append_view(gltf, image.image);
