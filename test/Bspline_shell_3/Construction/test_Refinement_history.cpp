@@ -70,7 +70,7 @@ TEST_CASE("Refinement history: refinement is stalled if failing cells are at fol
   REQUIRE(tuning.max_rounds_at_folds == 3);
   CHECK(is_stalled_after({ { 20, 15 }, { 20, 15 }, { 40, 30 }, { 80, 60 } }));
   CHECK(is_stalled_after({ { 20, 20 }, { 1, 1 }, { 5, 5 }, { 5, 5 }, { 7, 7 } }));
-  CHECK_FALSE(is_stalled_after({ { 20, 15 }, { 20, 15 }, { 40, 30 }, { 80, 59 } })); // many are elsewhere
+  CHECK_FALSE(is_stalled_after({ { 20, 15 }, { 20, 15 }, { 40, 30 }, { 80, 59 } })); // many other cells fail
   CHECK_FALSE(is_stalled_after({ { 1, 1 }, { 90, 90 }, { 60, 60 }, { 30, 30 } }));   // fewer than before
   CHECK_FALSE(is_stalled_after({ { 20, 20 }, { 20, 20 }, { 0, 0 }, { 20, 20 }, { 20, 20 }, { 20, 20 } }));
 }

@@ -108,7 +108,8 @@ struct Refinement_tuning
   double progress = 0.9;
   /// Refinement also ends after `max_rounds_at_folds` successive rounds without thick cells in which at least the
   /// fraction `share_at_folds` of the failing cells contain facets at folds, and no fewer cells fail than in the round
-  /// before. Near a fold, the field looks the same on cells of all sizes.
+  /// before. Near a fold, the field looks the same on cells of all sizes. Hand is not certified with or without this
+  /// rule, which ends its refinement at 17 K cells after 5 rounds, instead of at 59 K cells after more than 9.
   int max_rounds_at_folds = 3;
   double share_at_folds = 0.75;
   /// @}

@@ -171,8 +171,9 @@ private:
       m_history.add_round(m_budget.round(), m_examined.thresholds().undecided_volume());
     }
     m_history.add_refinements(corrected.facets_with_small_slopes());
-    if(!found.are_many_thick && found.thick.empty()) record_failing_cells(corrected, found);
-    else m_history.add_failing_cells(0, 0); // at a fold, cells are thick until they are small enough
+    // Along a fold, thick cells become more with each round until they are so small that none is thick.
+    if(found.are_many_thick || !found.thick.empty()) m_history.add_failing_cells(0, 0);
+    else record_failing_cells(corrected, found);
     return found;
   }
 
