@@ -73,7 +73,7 @@ public:
       else if(option != m_options.end()) {
         if(++i == argc) return wrong(arg + " needs a value.");
         if(!option->second(argv[i])) return wrong(arg + " cannot be " + argv[i] + ".");
-      } else if(arg.size() > 1 && arg[0] == '-') return wrong("There is no option " + arg + ".");
+      } else if(arg.size() > 1 && arg[0] == '-') return wrong("Unknown option: " + arg + ".");
       else if(positional == m_positional.size()) return wrong("There are too many arguments: " + arg + ".");
       else if(!m_positional[positional++](arg)) return wrong(arg + " is not a valid argument.");
     }

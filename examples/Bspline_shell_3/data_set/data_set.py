@@ -21,7 +21,7 @@ def options(config):
         raise ValueError("Pass a folder or a list of meshes: --config meshes=FOLDER")
     unknown = set(config) - set(DEFAULTS) - {"meshes"}
     if unknown:
-        raise ValueError(f"There is no option {', '.join(sorted(unknown))}.")
+        raise ValueError(f"Unknown option: {', '.join(sorted(unknown))}.")
     chosen = {**DEFAULTS, **config}
     for name in ("facets", "time_limit", "memory_limit", "batch"):
         chosen[name] = int(chosen[name])

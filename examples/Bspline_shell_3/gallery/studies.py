@@ -35,7 +35,7 @@ def make_gamma(making):
     finest, ours = found[-2:]
     return Results(
         (f"{count(finest['cells'])} → {count(ours['cells'])}", "cells of equally thin shells: equal → refined where the proof requires it"),
-        [("surfaces.png", "Inner (blue) and outer (red) surfaces of shells of the armadillo, with bounds of |f| on the mesh in % of the box size."),
+        [("surfaces.png", "Inner (blue) and outer (red) surfaces of shells of the armadillo, with bounds on |f| on the mesh in % of the box size."),
          ("sections.png", "Cross sections, with two toes enlarged, colored by f. White areas contain no cells.")],
         [("Largest |f| on the mesh", "0.19\u202f% at γ = 130, on a model of Thingi10K", lines(lambda shell: percent(100 * shell["largest_value"]))),
          ("Thickness, relative to the box size", NOT_GIVEN, lines(lambda shell: percent(100 * shell["thickness"]))),

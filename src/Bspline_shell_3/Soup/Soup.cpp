@@ -4,6 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Bspline_shell_3/Soup/Soup_mesh_3_impl.h>
+#include <CGAL/Bspline_shell_3/Soup/Soup_proxy_3_impl.h>
+#include <CGAL/Bspline_shell_3/Soup/near_duplicates_impl.h>
 #include <CGAL/Bspline_shell_3/Soup/repair_soup_impl.h>
 #include <CGAL/Bspline_shell_3/Soup/weld_soup_impl.h>
 #include <CGAL/Bspline_shell_3/Soup/wrap_soup_impl.h>

@@ -7,5 +7,8 @@
 #include <CGAL/Bspline_shell_3/Soup/check_excision_impl.h>
 #include <CGAL/Bspline_shell_3/Soup/choose_excision_impl.h>
 #include <CGAL/Bspline_shell_3/Soup/internal/Excised_simplices_impl.h>
+#include <CGAL/Bspline_shell_3/Soup/internal/Excision_growth_impl.h>
+#include <CGAL/Bspline_shell_3/Soup/internal/Excision_holes_impl.h>
+#include <CGAL/Bspline_shell_3/Soup/internal/facets_to_excise_impl.h>
 #include <CGAL/Bspline_shell_3/Soup/provenance_impl.h>
 #include <CGAL/Bspline_shell_3/Soup/rejoin_excised_impl.h>

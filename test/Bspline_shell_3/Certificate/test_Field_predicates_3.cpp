@@ -218,7 +218,7 @@ TEST_CASE("Predicates: answers are undecided if a coefficient or a level is not 
   }
 }
 
-TEST_CASE("Predicates: the bound of a slope beyond the largest double is finite")
+TEST_CASE("Predicates: the bound on a slope beyond the largest double is finite")
 {
   constexpr double largest = std::numeric_limits<double>::max(), scale = 1e-20;
   Field field = cube_field(CGAL::ORIGIN, scale);
@@ -698,7 +698,7 @@ TEST_CASE("Thresholds: differences from a threshold, and its range on a cell, en
   }
 }
 
-TEST_CASE("Predicates: the bound of a nearly subnormal slope is not rounded up")
+TEST_CASE("Predicates: the bound on a nearly subnormal slope is not rounded up")
 {
   // Cells are so large that slopes per user unit have only few significant bits.
   constexpr double scale = 0x1p300;

@@ -1171,7 +1171,7 @@ TEST_CASE("Certificate: scaling field and varying thresholds by a power of two c
   }
 }
 
-TEST_CASE("Certificate: bounds of a field are computed again if its coefficients may have changed")
+TEST_CASE("Certificate: bounds on a field are computed again if its coefficients may have changed")
 {
   Field field = radial_field();
   const Mesh mesh = sphere(2, 1);

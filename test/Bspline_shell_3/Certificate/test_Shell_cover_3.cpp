@@ -651,7 +651,7 @@ TEST_CASE("Cover: a box where a threshold is steeper than the field is not monot
     std::size_t steep = 0, failures = 0;
     for(const Cover_box& box : cover.boxes()) {
       const CGAL::Bbox_3 b = cover.bbox(box);
-      // bounds of x - eps2 / s on the box
+      // bounds on x - eps2 / s on the box
       const double least = 0.07 * b.xmin() - 0.93 * (b.ymax() + b.zmax()),
                    greatest = 0.07 * b.xmax() - 0.93 * (b.ymin() + b.zmin());
       if(!(least < -1e-6 && greatest > 1e-6)) continue;
@@ -832,7 +832,7 @@ TEST_CASE("Cover: gradient bounds are close to the least gradient, wherever in a
     }
 }
 
-TEST_CASE("Cover: the bound of a gradient beyond the largest double is finite")
+TEST_CASE("Cover: the bound on a gradient beyond the largest double is finite")
 {
   // f = 1e300 x / w on cells of width w = 2^-100; the slope is 1.3e330
   const double width = std::ldexp(1., -100);

@@ -290,7 +290,7 @@ TEST_CASE("Facet bounds: a peak is enclosed, wherever it lies on the facet")
   }
 }
 
-TEST_CASE("Facet bounds: the bounds of a linear field are its values at the vertices")
+TEST_CASE("Facet bounds: the bounds on a linear field are its values at the vertices")
 {
   const Mesh mesh = sphere(1);
   Field_on_mesh problem(mesh, BS::Lattice_3(around(CGAL::ORIGIN), 0.3));

@@ -3,12 +3,14 @@
 #include "test_meshes.h"
 
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
+#include <CGAL/Bspline_shell_3/Construction/Refinement_tuning.h>
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
 #include <CGAL/Bspline_shell_3/Mesh/vertex_cone.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -220,6 +222,18 @@ TEST_CASE("Thin parts: grooves and fins of 10 degrees, narrower than a root cell
     check_certified(mesh, shell);
     CHECK(shell.report().cells < 10000);
   }
+}
+
+TEST_CASE("Thin parts: a sharp rim is certified, although more cells along it are thick in each round")
+{
+  const double pi = std::acos(-1.), angle = 13.4 * pi / 180;
+  const Mesh mesh = joined(bipyramid(48, 1, std::tan(angle / 2)), sphere(0, 0.5, Point_3(9, 0, 0)));
+  const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(0.0005));
+  check_certified(mesh, shell);
+  const auto& rounds = shell.report().rounds;
+  const std::size_t stalled = std::size_t(BS::Refinement_tuning().max_rounds_at_folds);
+  REQUIRE(rounds.size() > stalled);
+  for(std::size_t n = 1; n <= stalled; ++n) CHECK(rounds[n].thick_cells > rounds[n - 1].thick_cells);
 }
 
 TEST_CASE("Thin parts: refinement at a folded fan ends, and reports the place if it is not certified", "[slow]")

@@ -68,7 +68,7 @@ TEST_CASE("Monotone direction: a constant function is not monotone, nor is one w
   CHECK_FALSE(is_monotone(saddle, 0));
 }
 
-TEST_CASE("Monotone direction: bounds of lengths are never below the length, and hardly above it, at any magnitude")
+TEST_CASE("Monotone direction: bounds on lengths are never below the length, and hardly above it, at any magnitude")
 {
   CGAL::Random random(7);
   std::size_t too_small = 0, too_large = 0;

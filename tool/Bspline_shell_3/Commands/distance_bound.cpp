@@ -201,7 +201,7 @@ private:
     return bound;
   }
 
-  // Returns a bound of the distance of a part from facets that cover it, or infinity. Parts that are not larger than
+  // Returns a bound on the distance of a part from facets that cover it, or infinity. Parts that are not larger than
   // these facets are left to other bounds.
   double bound_of_patch(const Part& part, double within) const
   {

@@ -17,7 +17,7 @@ namespace Tool {
 // \param closing triangles that close the mesh if it is open
 bool round_coordinates(Mesh& mesh, const Shell& shell, const std::shared_ptr<const BS::Shell_closing_3>& closing);
 
-// Returns bounds of the distances between the polygons of a shell and an edited mesh, as `distance_bounds()`.
+// Returns bounds on the distances between the polygons of a shell and an edited mesh, as `distance_bounds()`.
 Distance_bounds distances_of_edit(const BS::Shell_of_soup_3& found, const Mesh& mesh, double limit);
 
 } // namespace Tool

@@ -1,4 +1,4 @@
-// Checks Shell_cover_3: claims about its boxes, flooding against brute force over all pairs of boxes, and bounds of the
+// Checks Shell_cover_3: claims about its boxes, flooding against brute force over all pairs of boxes, and bounds on the
 // gradient.
 #ifndef CHECK_COVER_H
 #define CHECK_COVER_H

@@ -123,7 +123,7 @@ public:
   /// Decides whether the derivative of the field along the triangle's normal is positive on the triangle: \f$n \cdot
   /// \nabla f > 0\f$.
   /// \param[in,out] slope receives a lower bound on the derivative, per user unit along the unit normal; 0 if the claim
-  ///   is not proved. If the coarse bound of whole cells is at least the initial value of `slope`, this bound is used.
+  ///   is not proved. If the coarse bound for whole cells is at least the initial value of `slope`, this bound is used.
   /// \pre the triangle is not degenerate
   Verdict crosses_upwards(const std::array<Point_3, 3>& triangle, Witness* witness = nullptr,
                           Predicate_statistics* statistics = nullptr, double* slope = nullptr) const

@@ -51,7 +51,7 @@ public:
   /// returns the range of each cell; empty if the cell does not contain a part of the mesh
   const std::vector<Level_range>& cells() const { return m_range; }
 
-  /// returns the cells where |f| exceeds the bound of the last update, or is not proved not to exceed it; ascending
+  /// returns the cells where |f| exceeds the bound, or is not proved not to exceed it; ascending
   const std::vector<Thick_cell>& thick_cells() const { return m_thick; }
 
   /// returns an enclosure of the field on the mesh

@@ -51,7 +51,7 @@ struct Certified_shell_parameters
   bool truncates = true;           ///< whether vertices are truncated, unless self-intersections are tolerated
   double least_cone_margin = 0.02; ///< vertices with a smaller cone margin are truncated
   std::optional<double> thickness; ///< replaces `relative_thickness`; in the units of the coordinates
-  /// returns the largest thickness near a point, in the units of the coordinates; used instead of the two above
+  /// returns the requested thickness near a point, in the units of the coordinates; used instead of the two above
   std::function<double(const Certified_bspline_shell_3::Point_3&)> sizing;
   Refinement_parameters refinement;
 

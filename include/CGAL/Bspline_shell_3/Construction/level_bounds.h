@@ -164,7 +164,7 @@ Level_range edge_range(const Field& field, const Clipped_mesh_3& clipped)
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief bounds of a field on facets and on the mesh.
+ * \brief bounds on a field on facets and on the mesh.
  */
 struct Facet_ranges
 {
@@ -263,7 +263,7 @@ Facet_ranges facet_ranges(const Field& field, const Clipped_mesh_3& clipped, dou
 
 /// \ingroup PkgBsplineShell3Construction
 /// \brief number of levels per box size to which constant thresholds are rounded: \f$\tau\f$ in
-/// \cgalCite{CubicBsplineShell2025} (Section 5.2). Sharp bounds of the field on the mesh would leave no room for a
+/// \cgalCite{CubicBsplineShell2025} (Section 5.2). Sharp bounds on the field on the mesh would leave no room for a
 /// proof that the mesh lies strictly between the thresholds.
 inline constexpr double levels_per_box_size = 1e10;
 

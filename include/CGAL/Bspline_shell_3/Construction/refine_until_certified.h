@@ -192,6 +192,7 @@ private:
   {
     std::vector<Index> failing = cells_of(found.obstacles);
     for(const Sloping_facet& f : corrected.facets_with_small_slopes()) failing.push_back(f.cell);
+    if(failing.empty()) return m_history.add_failing_cells(0, 0);
     sort_unique(failing);
     std::vector<char> is_at_fold(field()->number_of_cells(), 0);
     for(const Clipped_mesh_3::Piece& piece : m_fitted.clipped().pieces())

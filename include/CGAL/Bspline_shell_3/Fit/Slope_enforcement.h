@@ -91,7 +91,7 @@ public:
   /// \param[in,out] x coefficients in units of the width of root cells (`Fit_energy`); after the first call, the result
   ///   of the last one
   /// \param most_violated if more cells are violated, the field is left unchanged: the problem is not local. If many
-  /// cells are violated and a sweep leaves most of them violated, no further sweep follows.
+  ///   cells are violated and a sweep leaves most of them violated, no further sweep follows.
   template <typename ConcurrencyTag = Sequential_tag>
   Slope_report operator()(Vector& x, std::size_t most_violated = std::numeric_limits<std::size_t>::max())
   {

@@ -6,15 +6,11 @@
 #ifndef CGAL_BSPLINE_SHELL_3_PROJECTION_GRADIENT_FLOW_3_H
 #define CGAL_BSPLINE_SHELL_3_PROJECTION_GRADIENT_FLOW_3_H
 
+#include <CGAL/Bspline_shell_3/Projection/Flow_differential.h>
 #include <CGAL/Bspline_shell_3/Projection/Flow_status.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/Curve_error.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/Integral_curve.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
-
-#include <CGAL/assertions.h>
-
-#include <Eigen/Core>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
@@ -23,69 +19,6 @@
 
 namespace CGAL {
 namespace Bspline_shells {
-
-/*!
- * \ingroup PkgBsplineShell3Projection
- *
- * \brief the differential of the flow that moves points along integral curves by a fixed difference of the field's
- * value: a linear map between vectors.
- *
- * It maps vectors along the curve at the start to vectors along the curve at the end. The differential of a map between
- * surfaces is that of the flow, followed by a projection along the curve onto the surface.
- */
-struct Flow_differential
-{
-  Flow_status status = Flow_status::CANCELED;
-  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity(); ///< derivatives of the end with respect to the start
-  /// velocity of the curve at its end, parametrized by the field's value
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
-
-  explicit operator bool() const { return status == Flow_status::SUCCESS; }
-
-  /// returns the differential of the map along the curves onto a surface with this normal at the end. Vectors are
-  /// mapped into the tangent plane, and vectors along the curve to zero.
-  /// \pre the normal is not orthogonal to the velocity
-  Eigen::Matrix3d onto_plane(const Eigen::Vector3d& normal) const
-  {
-    CGAL_precondition(normal.dot(velocity) != 0);
-    return matrix - velocity * (normal.transpose() * matrix) / normal.dot(velocity);
-  }
-  /// returns the differential of the map along the curves onto the level set through the end
-  Eigen::Matrix3d onto_level_set() const { return onto_plane(velocity); }
-
-  /// composes with the inverse of a linear map at the end. A plane at the end is then given before the linear map,
-  /// instead of its image.
-  /// \pre `linear` is invertible
-  void prepend_to_end(const Eigen::Matrix3d& linear)
-  {
-    const Eigen::Matrix3d inverse = linear.inverse();
-    matrix = inverse * matrix;
-    velocity = inverse * velocity;
-  }
-  /// composes with a linear map at the start
-  void append_to_start(const Eigen::Matrix3d& linear) { matrix *= linear; }
-};
-
-namespace internal {
-
-// Returns the result for a point without an image.
-inline Flow_differential no_differential(Flow_status status)
-{
-  Flow_differential result;
-  result.status = status;
-  return result;
-}
-
-// Returns the differential of the projection along a normal.
-inline Flow_differential orthogonal_differential(const std::array<double, 3>& normal)
-{
-  Flow_differential result;
-  result.status = Flow_status::SUCCESS;
-  result.velocity = Eigen::Vector3d(normal[0], normal[1], normal[2]);
-  return result;
-}
-
-} // namespace internal
 
 /*!
  * \ingroup PkgBsplineShell3Projection

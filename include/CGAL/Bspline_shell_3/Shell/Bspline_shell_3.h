@@ -164,7 +164,7 @@ public:
   /// Certificates of other meshes in the shell reuse them. The pointer is null if this claim was not proved, in
   /// particular for shells from a file until they are certified.
   const std::shared_ptr<const std::vector<Bspline_shells::Cover_box> >& proved_cover() const { return m_cover; }
-  /// returns bounds of the field on cells, computed by the certificate with which the shell was built. Certificates and
+  /// returns bounds on the field in cells, computed by the certificate with which the shell was built. Certificates and
   /// edits of meshes use them, and add bounds on further cells. They take up to 425 bytes per cell of the field. The
   /// pointer is null if no certificate has examined the shell.
   const std::shared_ptr<const Bounds>& cell_bounds() const { return m_cell_bounds; }

@@ -47,7 +47,7 @@ struct Shell_report
   int widenings = 0;        ///< number of times that cells were added because the shell reached their boundary
   Fit_report fit;           ///< the fit on equal cells; for refined cells, only its status
   Level_range edges;        ///< extrema of the field on the edges of the clipped mesh, not rounded
-  Level_range facets_bound; ///< bounds of the field on the facets, not rounded
+  Level_range facets_bound; ///< bounds on the field on the facets, not rounded
   Refinement_status refinement = Refinement_status::NOT_REFINED; ///< the reason why refinement ended
   Refinement_limit limit;                                        ///< the limit that ended refinement, if any
   std::vector<Refinement_round> rounds;                          ///< rounds of refinement

@@ -12,8 +12,7 @@
 #include <CGAL/Bspline_shell_3/Soup/Soup_mesh_3.h>
 #include <CGAL/Bspline_shell_3/Support/Invalid_parameter.h>
 #include <CGAL/Bspline_shell_3/Support/Status.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Bspline_shell_3/Support/instances.h>
 
 #include <string>
 #include <utility>
@@ -73,13 +72,9 @@ public:
   /// returns the map from the soup's mesh to the proxy; `Map::inverse()` returns the inverse map. Keep the map if it is
   /// used several times, because it builds a search tree for each mesh.
   /// \pre there is a proxy, and no other thread prepares a map of it
-  Map map() const
-  {
-    CGAL_precondition(bool(m_shell));
-    return map(m_mesh);
-  }
+  Map map() const;
   /// returns the map from the soup's mesh to another mesh in the shell, such as an edited proxy
-  Map map(const Mesh& mesh) const { return Map(m_shell, m_soup.mesh(), mesh); }
+  Map map(const Mesh& mesh) const;
 
 private:
   Shell_status m_status;
@@ -93,5 +88,9 @@ private:
 
 } // namespace Bspline_shells
 } // namespace CGAL
+
+#ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
+#include <CGAL/Bspline_shell_3/Soup/Soup_proxy_3_impl.h>
+#endif
 
 #endif // CGAL_BSPLINE_SHELL_3_SOUP_SOUP_PROXY_3_H

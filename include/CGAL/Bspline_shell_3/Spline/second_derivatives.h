@@ -23,7 +23,7 @@ typedef std::array<double, 6> Symmetric_matrix_3;
 /*!
  * \ingroup PkgBsplineShell3Spline
  *
- * \brief a set of symmetric matrices, given by bounds of their entries.
+ * \brief a set of symmetric matrices, given by bounds on their entries.
  */
 struct Symmetric_matrix_range_3
 {

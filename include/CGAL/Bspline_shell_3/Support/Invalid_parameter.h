@@ -24,11 +24,11 @@ struct Parameter_bounds
   double lower = 0, upper = std::numeric_limits<double>::infinity();
   bool is_lower_allowed = false, is_upper_allowed = false;
 
-  /// returns the bounds of lengths: finite numbers greater than zero
+  /// returns the bounds on lengths: finite numbers greater than zero
   static Parameter_bounds positive() { return {}; }
-  /// returns the bounds of limits: numbers greater than zero, and infinity
+  /// returns the bounds on limits: numbers greater than zero, and infinity
   static Parameter_bounds positive_or_infinite() { return { 0, std::numeric_limits<double>::infinity(), false, true }; }
-  /// returns the bounds of weights: finite numbers that are zero or more
+  /// returns the bounds on weights: finite numbers that are zero or more
   static Parameter_bounds not_negative() { return { 0, std::numeric_limits<double>::infinity(), true, false }; }
 
   /// returns `true` if a value is in the interval, and `false` if it is NaN
@@ -47,7 +47,7 @@ struct Invalid_parameter
 {
   const char* name = nullptr; ///< name of the parameter or argument; null if none is invalid
   double value = 0;           ///< the given value; if the parameter is a function, a value that it returned
-  Parameter_bounds bounds;    ///< bounds of the allowed values
+  Parameter_bounds bounds;    ///< bounds on the allowed values
 
   /// returns `true` if a parameter is invalid
   explicit operator bool() const { return name != nullptr; }

@@ -75,7 +75,7 @@ double least_gradient(const Subdivision& subdivision, const std::vector<Cover_bo
       worst.size(), 1, [&](std::size_t w, std::size_t, std::vector<Bounded_box>& found) {
         for(const auto& part : subdivision.octants(subdivision.part(worst[w].box)))
           if(part.box.kind != Box_kind::EXCLUDED)
-            // The bound of a part may be weaker than the bound of its box.
+            // The bound for a part may be weaker than the bound for its box.
             found.push_back({ (std::max)(worst[w].bound, subdivision.gradient_bound(part)),
                               subdivision.gradient_in_the_middle(part), part.box });
       });

@@ -7,10 +7,8 @@
 #define CGAL_BSPLINE_SHELL_3_PROJECTION_INTERNAL_TRUNCATION_MAP_H
 
 #include <CGAL/Bspline_shell_3/Mesh/Shell_truncation_3.h>
+#include <CGAL/Bspline_shell_3/Support/instances.h>
 
-#include <CGAL/assertions.h>
-
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -37,54 +35,17 @@ public:
   };
 
   // \pre the truncation is valid
-  explicit Truncation_map(std::shared_ptr<const Shell_truncation_3> truncation)
-    : m_truncation(std::move(truncation)), m_parts(m_truncation->cut_facets().size()),
-      m_first_of_disc(1, m_truncation->cores().size())
-  {
-    CGAL_precondition(m_truncation->is_valid());
-    for(std::size_t n = 0; n < m_truncation->cores().size(); ++n) {
-      const Shell_truncation_3::Core& c = m_truncation->cores()[n];
-      m_parts[c.facet].push_back({ Index(n), npos, 0, corners(c.facet, c.triangle) });
-    }
-    for(std::size_t n = 0; n < m_truncation->discs().size(); ++n) {
-      const Shell_truncation_3::Disc& d = m_truncation->discs()[n];
-      for(std::size_t i = 0; i < d.rim.size(); ++i)
-        m_parts[d.facets[i]].push_back({ npos, Index(n), i, corners(d.facets[i], tip_triangle(d, i)) });
-      m_first_of_disc.push_back(m_first_of_disc.back() + d.triangles.size());
-    }
-  }
+  explicit Truncation_map(std::shared_ptr<const Shell_truncation_3> truncation);
 
   // Returns the image on the truncated mesh of a place on a cut facet.
-  Place image(const Place& place) const
-  {
-    const Piece p = piece(place);
-    return { p.new_facet, clamped(mapped(p, place.barycentric)) };
-  }
+  Place image(const Place& place) const;
 
   // Returns the preimage on the original mesh of a place on a new facet.
-  Place preimage(const Place& place) const
-  {
-    const Shell_truncation_3::New_facet& facet = m_truncation->new_facets()[place.facet];
-    if(facet.disc == npos)
-      return { facet.cut_facet, combined(place.barycentric, corners(facet.cut_facet, facet.triangle)) };
-    const Shell_truncation_3::Disc& d = m_truncation->discs()[facet.disc];
-    Planar_point x = {};
-    for(int i = 0; i < 3; ++i)
-      for(int a = 0; a < 2; ++a) x[a] += place.barycentric[i] * planar(facet.triangle[i])[a];
-    const Found found = find_triangle(d.rim.size(), x, [&](std::size_t i) {
-      return Planar_triangle{ { {}, planar(d.rim[i]), planar(d.rim[(i + 1) % d.rim.size()]) } };
-    });
-    const Index f = d.facets[found.number];
-    return { f, combined(clamped(found.barycentric), corners(f, tip_triangle(d, found.number))) };
-  }
+  Place preimage(const Place& place) const;
 
   // Returns the derivative of `image()` at a place: the matrix, given by its columns, that maps changes of the
   // barycentric coordinates of the place to changes of those of the image.
-  std::array<Barycentric, 3> derivative(const Place& place) const
-  {
-    const Piece p = piece(place);
-    return { { mapped(p, { 1, 0, 0 }), mapped(p, { 0, 1, 0 }), mapped(p, { 0, 0, 1 }) } };
-  }
+  std::array<Barycentric, 3> derivative(const Place& place) const;
 
 private:
   typedef Shell_truncation_3::Planar_point Planar_point;
@@ -113,100 +74,35 @@ private:
     Barycentric barycentric;
   };
 
-  static Shell_truncation_3::Triangle tip_triangle(const Shell_truncation_3::Disc& d, std::size_t edge)
-  {
-    return { d.center, d.rim[edge], d.rim[(edge + 1) % d.rim.size()] };
-  }
+  static Shell_truncation_3::Triangle tip_triangle(const Shell_truncation_3::Disc& d, std::size_t edge);
 
-  std::array<Barycentric, 3> corners(Index facet, const Shell_truncation_3::Triangle& t) const
-  {
-    const auto corner = [&](Index p) { return m_truncation->barycentric(m_truncation->cut_facets()[facet], p); };
-    return { corner(t[0]), corner(t[1]), corner(t[2]) };
-  }
+  std::array<Barycentric, 3> corners(Index facet, const Shell_truncation_3::Triangle& t) const;
   const Planar_point& planar(Index point) const { return m_truncation->planar(point); }
 
   // Maps corners to the plane by two of their barycentric coordinates.
-  static Planar_triangle in_plane(const std::array<Barycentric, 3>& c)
-  {
-    return { { { c[0][1], c[0][2] }, { c[1][1], c[1][2] }, { c[2][1], c[2][2] } } };
-  }
-  Planar_triangle in_plane(const Shell_truncation_3::Triangle& t) const
-  {
-    return { { planar(t[0]), planar(t[1]), planar(t[2]) } };
-  }
+  static Planar_triangle in_plane(const std::array<Barycentric, 3>& c);
+  Planar_triangle in_plane(const Shell_truncation_3::Triangle& t) const;
 
   // Returns the barycentric coordinates of a point in a planar triangle. If the triangle is too small to compute them,
   // returns the coordinates of its first corner.
-  static Barycentric barycentric_in(const Planar_triangle& t, const Planar_point& p)
-  {
-    const auto area = [](const Planar_point& a, const Planar_point& b, const Planar_point& c) {
-      return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-    };
-    const double whole = area(t[0], t[1], t[2]);
-    if(!(whole > 0)) return { 1, 0, 0 };
-    const double u = area(t[0], p, t[2]) / whole, v = area(t[0], t[1], p) / whole;
-    return { 1 - u - v, u, v };
-  }
+  static Barycentric barycentric_in(const Planar_triangle& t, const Planar_point& p);
 
   // Corrects the barycentric coordinates of a point that is outside a triangle by rounding only.
-  static Barycentric clamped(Barycentric barycentric)
-  {
-    double sum = 0;
-    for(double& x : barycentric) sum += x = (std::max)(x, 0.);
-    for(double& x : barycentric) x /= sum;
-    return barycentric;
-  }
+  static Barycentric clamped(Barycentric barycentric);
 
-  static Barycentric combined(const Barycentric& weights, const std::array<Barycentric, 3>& corners)
-  {
-    Barycentric b = {};
-    for(int i = 0; i < 3; ++i)
-      for(int a = 0; a < 3; ++a) b[a] += weights[i] * corners[i][a];
-    return clamped(b);
-  }
+  static Barycentric combined(const Barycentric& weights, const std::array<Barycentric, 3>& corners);
 
   // Returns the triangle that contains a point or is nearest to it, as measured by the least barycentric coordinate.
   template <typename Triangle>
-  static Found find_triangle(std::size_t size, const Planar_point& p, const Triangle& triangle)
-  {
-    const auto least = [](const Barycentric& b) { return (std::min)({ b[0], b[1], b[2] }); };
-    Found found = { 0, barycentric_in(triangle(0), p) };
-    for(std::size_t n = 1; n < size; ++n) {
-      const Barycentric b = barycentric_in(triangle(n), p);
-      if(least(b) > least(found.barycentric)) found = { n, b };
-    }
-    return found;
-  }
+  static Found find_triangle(std::size_t size, const Planar_point& p, const Triangle& triangle);
 
-  Piece piece(const Place& place) const
-  {
-    const std::vector<Part>& parts = m_parts[place.facet];
-    const Found in_facet = find_triangle(parts.size(), { place.barycentric[1], place.barycentric[2] },
-                                         [&](std::size_t n) { return in_plane(parts[n].corners); });
-    const Part& part = parts[in_facet.number];
-    if(part.core != npos) return { &part, part.core };
-    const std::vector<Shell_truncation_3::Triangle>& triangles = m_truncation->discs()[part.disc].triangles;
-    const Found in_disc = find_triangle(triangles.size(), planar_point(part, clamped(in_facet.barycentric)),
-                                        [&](std::size_t n) { return in_plane(triangles[n]); });
-    return { &part, Index(m_first_of_disc[part.disc] + in_disc.number) };
-  }
+  Piece piece(const Place& place) const;
 
   // Returns the planar position of a point in a triangle of a tip.
-  Planar_point planar_point(const Part& part, const Barycentric& b) const
-  {
-    const std::vector<Index>& rim = m_truncation->discs()[part.disc].rim;
-    const Planar_point &p = planar(rim[part.edge]), &q = planar(rim[(part.edge + 1) % rim.size()]);
-    return { b[1] * p[0] + b[2] * q[0], b[1] * p[1] + b[2] * q[1] };
-  }
+  Planar_point planar_point(const Part& part, const Barycentric& b) const;
 
   // Applies the affine map of a piece.
-  Barycentric mapped(const Piece& piece, const Barycentric& b) const
-  {
-    const Barycentric in_part = barycentric_in(in_plane(piece.part->corners), { b[1], b[2] });
-    if(piece.part->core != npos) return in_part;
-    return barycentric_in(in_plane(m_truncation->new_facets()[piece.new_facet].triangle),
-                          planar_point(*piece.part, in_part));
-  }
+  Barycentric mapped(const Piece& piece, const Barycentric& b) const;
 
   std::shared_ptr<const Shell_truncation_3> m_truncation;
   std::vector<std::vector<Part> > m_parts;  // by cut facet
@@ -216,5 +112,9 @@ private:
 } // namespace internal
 } // namespace Bspline_shells
 } // namespace CGAL
+
+#ifndef CGAL_BSPLINE_SHELL_3_INSTANCES
+#include <CGAL/Bspline_shell_3/Projection/internal/Truncation_map_impl.h>
+#endif
 
 #endif // CGAL_BSPLINE_SHELL_3_PROJECTION_INTERNAL_TRUNCATION_MAP_H

@@ -9,7 +9,10 @@
 #include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/match_components.h>
 #include <CGAL/Bspline_shell_3/Certificate/segment_through_shell.h>
+#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
+#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Projection/Projection_facets_3.h>
+#include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
 #include <CGAL/Bspline_shell_3/Support/arithmetic_self_test.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
@@ -108,6 +111,13 @@ bool share_components(const Shell& shell, const Projection_facets_3& first, cons
   return std::all_of(has_partner.begin(), has_partner.end(),
                      [](const std::vector<char>& all) { return std::find(all.begin(), all.end(), 0) == all.end(); });
 }
+
+#ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
+extern template bool share_components(const Bspline_shell_3<>&, const Projection_facets_3&, const Projection_facets_3&);
+extern template bool share_components(
+  const Bspline_shell_3<Hierarchical_bspline_field_3<>, Spline_threshold<Hierarchical_bspline_field_3<> > >&,
+  const Projection_facets_3&, const Projection_facets_3&);
+#endif
 
 } // namespace internal
 } // namespace Bspline_shells

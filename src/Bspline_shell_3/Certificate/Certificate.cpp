@@ -1,0 +1,7 @@
+// Copyright (c) 2026 The authors of the cubic B-spline shell package.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Bspline_shell_3/Certificate/critical_point_impl.h>
+#include <CGAL/Bspline_shell_3/Certificate/match_components_impl.h>
