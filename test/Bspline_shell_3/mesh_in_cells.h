@@ -1,4 +1,4 @@
-// A mesh, and equal cells that it is clipped to.
+// A mesh, and equal cells around it to which it is clipped.
 #ifndef MESH_IN_CELLS_H
 #define MESH_IN_CELLS_H
 
@@ -9,7 +9,12 @@
 #include <CGAL/Bspline_shell_3/Fit/Slope_condition.h>
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/tags.h>
+
+#include <array>
+#include <cmath>
 
 struct Mesh_in_cells
 {
@@ -19,11 +24,16 @@ struct Mesh_in_cells
   Field field;
   CGAL::Bspline_shells::Clipped_mesh_3 clipped;
 
-  // Clips a mesh to cells between -4 and 4. Their width is a power of two.
+  // pre: the width is a power of two
   Mesh_in_cells(const Mesh& mesh, double width = 0.5) : input(input_of(mesh))
   {
-    const int n = int(4 / width);
-    field = Field(Hierarchy(all_cells(width, { -n, -n, -n }, { n - 1, n - 1, n - 1 })));
+    const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+    std::array<int, 3> first, last;
+    for(int a = 0; a < 3; ++a) {
+      first[a] = int(std::floor(box.min_coord(a) / width)) - 1;
+      last[a] = int(std::floor(box.max_coord(a) / width)) + 1;
+    }
+    field = Field(Hierarchy(all_cells(width, first, last)));
     clipped = CGAL::Bspline_shells::clip_mesh_to_cells<CGAL::Sequential_tag>(input, field.cells());
   }
 
