@@ -227,7 +227,7 @@ TEST_CASE("Thin parts: grooves and fins of 10 degrees, narrower than a root cell
 TEST_CASE("Thin parts: a sharp rim is certified, although more cells along it are thick in each round")
 {
   const double pi = std::acos(-1.), angle = 13.4 * pi / 180;
-  const Mesh mesh = joined(bipyramid(24, 1, std::tan(angle / 2)), sphere(0, 0.5, Point_3(19, 0, 0)));
+  const Mesh mesh = joined(bipyramid(24, 1, std::tan(angle / 2)), sphere(0, 0.1, Point_3(19, 0, 0)));
   const Shell shell = CGAL::certified_bspline_shell_3(mesh, parameters::relative_thickness(0.0008));
   check_certified(mesh, shell);
   const auto& rounds = shell.report().rounds;
