@@ -168,6 +168,30 @@ TEST_CASE("Excision until certified: more facets are excised each time that a pl
   CHECK(soup.report().excised_area > limits.share);
 }
 
+TEST_CASE("Excision until certified: if no facet is listed because a cap fails, those beside the last hole are excised")
+{
+  BS::Excised_soup_3 soup = chosen(soup_of(sphere(3)));
+  std::vector<Point_3> hole;
+  for(auto v : soup.mesh().vertices_around_face(soup.mesh().halfedge(Mesh::Face_index(0))))
+    hole.push_back(soup.mesh().point(v));
+  const auto is_at_hole = [&](const Mesh& mesh) {
+    return std::any_of(mesh.vertices().begin(), mesh.vertices().end(), [&](Mesh::Vertex_index v) {
+      return !mesh.is_isolated(v) && std::find(hole.begin(), hole.end(), mesh.point(v)) != hole.end();
+    });
+  };
+  Shell shell;
+  std::vector<bool> is_beside_hole;
+  CHECK_FALSE(BS::excise_until_certified(soup, shell, {}, [&](const Mesh& mesh, const auto&) {
+    is_beside_hole.push_back(is_at_hole(mesh));
+    switch(is_beside_hole.size()) {
+      case 1: return rejected(BS::Shell_status::NOT_CLOSABLE, { 0 });
+      case 2: return rejected(BS::Shell_status::NOT_CLOSABLE, {});
+      default: return rejected(BS::Shell_status::CANCELED, {});
+    }
+  }));
+  CHECK(is_beside_hole == std::vector<bool>{ true, true, false });
+}
+
 TEST_CASE("Excision until certified: failures that excision cannot help end it")
 {
   for(const BS::Shell_status status :

@@ -94,7 +94,8 @@ private:
   bool excise(const Facets& facets, Excision_reason reason, std::size_t rings)
   {
     if(facets.empty()) return false;
-    m_soup = excise_also(m_soup, m_growth.triangles_around(m_soup, facets, rings), reason);
+    m_last = m_growth.triangles_around(m_soup, facets, rings);
+    m_soup = excise_also(m_soup, m_last, reason);
     return true;
   }
 
@@ -126,6 +127,8 @@ private:
     for(std::size_t v : offenders.vertices) vertices.emplace_back(Mesh::size_type(v));
     Facets facets = facets_at(vertices);
     for(std::size_t f : offenders.facets) facets.emplace_back(Mesh::size_type(f));
+    // If no facet is listed, a cap is at fault, probably that of the last hole.
+    if(facets.empty()) facets = facets_beside(m_soup, m_last);
     return excise(facets, Excision_reason::NOT_CLOSABLE, 0);
   }
 
@@ -157,8 +160,9 @@ private:
   Shell m_shell;
   Excision_limits m_limits;
   Excision_growth m_growth;
-  std::size_t m_attempts = 0; // number of failed attempts
-  std::size_t m_shells = 0;   // number of shells without a certificate
+  std::vector<std::size_t> m_last; // triangles excised in the last attempt
+  std::size_t m_attempts = 0;      // number of failed attempts
+  std::size_t m_shells = 0;        // number of shells without a certificate
   bool m_has_reversed = false;
 };
 
@@ -170,7 +174,8 @@ private:
  * \brief builds a certified shell of the mesh of an excised soup, and excises more triangles where this fails.
  *
  * If the mesh cannot be closed, the facets at which this fails are excised. If the same place fails again, rings of
- * facets around it are excised, too, one more each time. If the proof fails on a few facets, they are excised, too.
+ * facets around it are excised, too, one more each time. If no facet is known, because the cap of a hole is at fault,
+ * those beside the last hole are excised. If the proof fails on a few facets, they are excised, too.
  * Components that face the wrong side are reversed. If this is impossible because they are open, they are excised.
  * Nothing is tried if most of the mesh is scattered facets without neighbors.
  *

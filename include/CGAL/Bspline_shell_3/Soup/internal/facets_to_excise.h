@@ -30,6 +30,10 @@ std::vector<Excised_soup_3::Mesh::Vertex_index> truncated_vertices(const Truncat
 std::vector<Excised_soup_3::Mesh::Face_index> facets_on_wrong_side(const Excised_soup_3& soup,
                                                                    const std::vector<std::size_t>& listed);
 
+// Returns the facets that have a point in common with any of these triangles.
+std::vector<Excised_soup_3::Mesh::Face_index> facets_beside(const Excised_soup_3& soup,
+                                                            const std::vector<std::size_t>& triangles);
+
 // Returns the area of the facets of a mesh that share no edge with another facet, as a fraction of its area.
 double share_of_isolated_facets(const Excised_soup_3::Mesh& mesh);
 

@@ -74,6 +74,21 @@ std::vector<Excised_soup_3::Mesh::Face_index> facets_on_wrong_side(const Excised
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE
+std::vector<Excised_soup_3::Mesh::Face_index> facets_beside(const Excised_soup_3& soup,
+                                                            const std::vector<std::size_t>& triangles)
+{
+  std::vector<char> has_point(soup.soup().points.size(), 0);
+  for(std::size_t t : triangles)
+    for(std::size_t v : soup.soup().triangles[t]) has_point[v] = 1;
+  std::vector<Excised_soup_3::Mesh::Face_index> facets;
+  for(auto f : soup.mesh().faces()) {
+    const auto& corners = soup.soup().triangles[soup.triangle_of(f)];
+    if(std::any_of(corners.begin(), corners.end(), [&](std::size_t v) { return has_point[v]; })) facets.push_back(f);
+  }
+  return facets;
+}
+
+CGAL_BSPLINE_SHELL_3_INLINE
 double share_of_isolated_facets(const Excised_soup_3::Mesh& mesh)
 {
   double isolated = 0, total = 0;
