@@ -31,7 +31,7 @@ test_project() {
 # -Og compiles nearly as fast as -O0, and its code runs three times faster.
 test_with_sanitizers() {
   build=${BUILD_DIR:-build}/sanitize
-  cmake -S . -B "$build" "${options[@]}" -DCMAKE_CXX_FLAGS_RELEASE=-Og -DBSPLINE_SHELL_3_SANITIZE=ON -DBSPLINE_SHELL_3_EXAMPLES=OFF
+  cmake -S . -B "$build" "${options[@]}" -DCMAKE_CXX_FLAGS_RELEASE=-Og -DBSPLINE_SHELL_3_SANITIZE=ON
   cmake --build "$build" --parallel "$(nproc)" --target shell_tests
   # Libraries allocate some memory once and never free it.
   ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1 \
