@@ -1200,7 +1200,7 @@ def excision(name, change, code, sentence, update=""):
 
 
 def same(t):
-    return sorted(t)
+    return tuple(sorted(t))
 
 
 def is_in(triangle, triangles):
@@ -1208,7 +1208,8 @@ def is_in(triangle, triangles):
 
 
 def excised(f):
-    return [t for t in f.excision["soup"] if not is_in(t, f.excision["kept"])]
+    kept = set(same(t) for t in f.excision["kept"])
+    return [t for t in f.excision["soup"] if same(t) not in kept]
 
 
 def user_triangles(f):

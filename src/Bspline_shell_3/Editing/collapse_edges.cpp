@@ -12,7 +12,7 @@ namespace Bspline_shells {
 namespace internal {
 
 template Edit_status collapse_edges<Parallel_if_available_tag>(
-  Instance_mesh&, Instance_points, const Instance_shell&,
+  Instance_mesh&, Instance_points, const Certified_bspline_shell_3&,
   const Collapse_options<Instance_mesh, Instance_points, Instance_kernel>&,
   Edit_result<Simplification_report, Instance_mesh>&);
 

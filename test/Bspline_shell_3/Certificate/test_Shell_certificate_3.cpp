@@ -370,7 +370,7 @@ TEST_CASE("Certificate: a critical point refutes the claim in the shell, prevent
 
 TEST_CASE("Certificate: a critical point outside the shell refutes nothing, however close it is")
 {
-  // f = A(x) + ((y - 0.31)^2 + (z + 0.13)^2) / 10, with A'' = bend + |x| up to |x| = 1, and 1 + bend beyond. The
+  // f = A(x) + ((y - 0.31)^2 + (z + 0.13)^2) / 10. A'' is bend + |x| up to |x| = 1, and 1 + bend beyond. The
   // function is convex, so its only critical point is its minimum, at x = c. Across the box of the cover that contains
   // it, A'' changes by a factor. So Newton's method with the second derivatives at the middle of the box ends visibly
   // far from the minimum.

@@ -51,7 +51,7 @@ side = lambda p: 1 if p[0] > 0 else 2
 of_points = [("red", "uchar", channel(0)), ("green", "uchar", channel(1)), ("blue", "uchar", channel(2)),
              ("heat", "double", lambda p: p[0] - 2 * p[2])]
 of_triangles = [("label", "short", side), ("quality", "float", lambda p: p[1])]
-points, triangles = sphere(48, 96)
+points, triangles = sphere(32, 64)
 other, other_triangles = sphere(24, 50)
 other = turned(other, 0.4, 1.002)
 

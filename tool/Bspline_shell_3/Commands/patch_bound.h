@@ -18,8 +18,8 @@ namespace Tool {
 // from `start`, over edges whose projection meets the shrunk triangle. Suppose that none of these edges is on a
 // border, and that all collected facets have the same orientation in the projection. Then the projection of the
 // collected surface is open in the shrunk triangle. It is also closed and not empty, so it covers the shrunk
-// triangle. Each point of the triangle is therefore close to a point of the surface in the projection, and the
-// largest difference of heights bounds their distance along the normal.
+// triangle. In the projection, each point of the triangle is therefore close to a point of the surface. The largest
+// difference of heights bounds their distance along the normal.
 // \param start a facet
 // \param distance its distance from the center of the triangle's inscribed circle
 // \param rounding bound on the error of a projected coordinate

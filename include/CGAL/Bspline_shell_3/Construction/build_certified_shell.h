@@ -8,8 +8,6 @@
 
 #include <CGAL/Bspline_shell_3/Construction/Refinement_parameters.h>
 #include <CGAL/Bspline_shell_3/Construction/Shell_construction.h>
-#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
-#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Fit/Any_signed_distance_3.h>
 #include <CGAL/Bspline_shell_3/Fit/Any_spd_solver.h>
 #include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
@@ -23,13 +21,6 @@
 #include <optional>
 
 namespace CGAL {
-
-/// \ingroup PkgBsplineShell3Ref
-/// the type of shell that `certified_bspline_shell_3()` builds, with a hierarchy of cells and thresholds that vary in
-/// space. An object of this type need not be certified (`Bspline_shell_3::is_certified()`).
-typedef Bspline_shell_3<Bspline_shells::Hierarchical_bspline_field_3<>,
-                        Bspline_shells::Spline_threshold<Bspline_shells::Hierarchical_bspline_field_3<> > >
-  Certified_bspline_shell_3;
 
 namespace Bspline_shells {
 

@@ -88,9 +88,9 @@ void take_over_coefficients(const Field& from, const Field& to, Eigen::VectorXd&
 }
 
 // Returns the approximate peak memory of a shell in bytes, which is reached in the solver. Per cell: the samples,
-// Bernstein coefficients, and lookups. Per unknown: a column of the matrix with up to 172 entries of 12 bytes (twice
-// while a term is added to a copy), blocks of the preconditioner, and the solver's vectors. Per piece: its points and
-// quadrature points.
+// Bernstein coefficients, and lookups. Per unknown: blocks of the preconditioner, the solver's vectors, and a
+// column of the matrix with up to 172 entries of 12 bytes (twice while a term is added to a copy). Per piece: its
+// points and quadrature points.
 inline double estimated_bytes(double cells, double unknowns, double pieces, bool copies_matrix)
 {
   return cells * 680 + unknowns * (copies_matrix ? 6200 : 3900) + pieces * 500;

@@ -26,8 +26,8 @@ namespace Bspline_shells {
  * \brief returns the slopes that can be required of a field on the mesh in cells with narrow walls or gaps.
  *
  * In cells of width \f$h\f$, the second derivatives of a field are at most about \f$1/h\f$. If the field is zero on
- * both sides of a wall of width \f$g < h\f$, it resembles \f$(x^2 - g^2/4) / h\f$ across the wall, with the slope
- * \f$g/h\f$ on both sides. A quarter of this slope leaves room for variation along the wall.
+ * both sides of a wall of width \f$g < h\f$, it resembles \f$(x^2 - g^2/4) / h\f$ across the wall. On both sides,
+ * its slope is \f$g/h\f$. A quarter of this slope leaves room for variation along the wall.
  *
  * \param requested cells for which slopes are returned
  * \return the slope for each of these cells; infinite if no gap is narrower than the cell

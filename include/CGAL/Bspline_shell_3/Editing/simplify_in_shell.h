@@ -50,8 +50,8 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  * vertex. A facet is accepted if it is proved or estimated (see *Proofs* below) to lie in the shell and to face along
  * the gradient. A facet faces along the gradient if its normal and the gradient form an acute angle at each of its
  * points. The result is certified as a whole; otherwise, the mesh is restored, or the status is `PARTIALLY_EDITED`
- * (`freeze_rejected_facets`). A certified result has no self-intersections. If the shell is certified, its integral
- * curves map the result one-to-one onto every other mesh that is certified in it, such as the mesh for which it was
+ * (`freeze_rejected_facets`). A certified result has no self-intersections. In a certified shell, the integral curves
+ * map the result one-to-one onto every other mesh that is certified in it, such as the mesh for which it was
  * built. For simplified borders, see `border_tolerance`.
  *
  * Edges are collapsed by `CGAL::Surface_mesh_simplification::edge_collapse()` with `Shell_filter`, cheapest first. If
@@ -182,7 +182,7 @@ using Simplification_result = Edit_result<Simplification_report, TriangleMesh>;
  *   its original values.
  *
  * \cgalHeading{Cost} For each facet at the new vertex, a collapse evaluates the field at a few points, or proves it
- *   with a bound for each cell that it meets. The certificate takes as long as for any mesh in the shell; if it fails,
+ *   with a bound for each cell that it meets. The certificate takes as long as for any mesh in the shell. If it fails,
  *   the mesh may be simplified twice. `locate_vertices` builds a search tree for the facets of the result, and projects
  *   each vertex.
  */

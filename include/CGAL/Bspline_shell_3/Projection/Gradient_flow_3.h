@@ -8,14 +8,11 @@
 
 #include <CGAL/Bspline_shell_3/Projection/Flow_differential.h>
 #include <CGAL/Bspline_shell_3/Projection/Flow_status.h>
-#include <CGAL/Bspline_shell_3/Projection/internal/Curve_error.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/Integral_curve.h>
+#include <CGAL/Bspline_shell_3/Projection/internal/trace_to_level.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 
 namespace CGAL {
 namespace Bspline_shells {
@@ -77,9 +74,8 @@ public:
     Arrival arrival;
     arrival.status = Flow_status::NO_SHELL;
     if(!*m_shell) return arrival;
-    typedef internal::Flow_velocity Velocity;
-    Traced<Velocity::State> end;
-    arrival.status = run<Velocity>(internal::rounded_coordinates(p), level, end);
+    internal::Traced<internal::Flow_velocity> end;
+    arrival.status = internal::trace_to_level(*m_shell, m_tolerance, internal::rounded_coordinates(p), level, end);
     if(arrival) arrival.point = Point_3(end.state[0], end.state[1], end.state[2]);
     return arrival;
   }
@@ -90,11 +86,11 @@ public:
   Flow_differential differential(const Point& p, double level) const
   {
     if(!*m_shell) return internal::no_differential(Flow_status::NO_SHELL);
-    typedef internal::Flow_velocity_with_differential Velocity;
-    Traced<Velocity::State> end;
+    internal::Traced<internal::Flow_velocity_with_differential> end;
     const double unit = m_shell->report().unit;
     Flow_differential result;
-    result.status = run<Velocity>(
+    result.status = internal::trace_to_level(
+      *m_shell, m_tolerance,
       { internal::rounded(p[0]), internal::rounded(p[1]), internal::rounded(p[2]), unit, 0, 0, 0, unit, 0, 0, 0, unit },
       level, end);
     if(result)
@@ -106,31 +102,6 @@ public:
   }
 
 private:
-  template <typename State>
-  struct Traced
-  {
-    State state, derivative;
-    internal::Image_error error;
-  };
-
-  template <typename Velocity>
-  Flow_status run(const typename Velocity::State& start, double level, Traced<typename Velocity::State>& result) const
-  {
-    typedef Traced<typename Velocity::State> Result;
-    return internal::keep_tolerance(m_tolerance, result, [&](double step_tolerance, Result& end) {
-      internal::Integral_curve<Shell, Velocity> curve(*m_shell, m_tolerance, step_tolerance);
-      Flow_status status = curve.start(start);
-      if(!std::isfinite(level)) return Flow_status::NOT_FINITE;
-      while(status == Flow_status::SUCCESS && curve.value() != level) status = curve.step(level);
-      if(status != Flow_status::SUCCESS) return status;
-      // The value of the field at the end gives the error along the curve.
-      const internal::Curve_error error = curve.error();
-      const double along = curve.drift(curve.state(), level) * curve.speed();
-      end = { curve.state(), curve.derivative(), { error.at_end() + along, error.at_start() } };
-      return status;
-    });
-  }
-
   const Shell* m_shell;
   double m_tolerance;
 };

@@ -199,6 +199,13 @@ private:
   std::shared_ptr<const Bspline_shells::Shell_truncation_3> m_truncation;
 };
 
+/// \ingroup PkgBsplineShell3Ref
+/// the type of shell that `certified_bspline_shell_3()` builds, with a hierarchy of cells and thresholds that vary in
+/// space. An object of this type need not be certified (`Bspline_shell_3::is_certified()`).
+typedef Bspline_shell_3<Bspline_shells::Hierarchical_bspline_field_3<>,
+                        Bspline_shells::Spline_threshold<Bspline_shells::Hierarchical_bspline_field_3<> > >
+  Certified_bspline_shell_3;
+
 namespace Bspline_shells {
 namespace internal {
 

@@ -59,8 +59,8 @@ public:
   }
 
 private:
-  // Calls `visit` for the corners of each facet at the edge before the collapse, or after it (with `p` in the place of
-  // the ends of the edge, so that facets at the edge have no area).
+  // Calls `visit` for the corners of each facet at the edge. With `p`, these are the corners after the collapse, with
+  // `p` in the place of both ends of the edge.
   template <typename Profile, typename Visit>
   static void visit_facets(const Profile& profile, const Point_3* p, const Visit& visit)
   {

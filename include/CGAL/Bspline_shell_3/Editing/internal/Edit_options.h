@@ -7,8 +7,6 @@
 #define CGAL_BSPLINE_SHELL_3_EDITING_INTERNAL_EDIT_OPTIONS_H
 
 #include <CGAL/Bspline_shell_3/Editing/internal/Edge_constraints.h>
-#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
-#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Mesh/Shell_closing_3.h>
 #include <CGAL/Bspline_shell_3/Mesh/closing_argument.h>
 #include <CGAL/Bspline_shell_3/Projection/project_points.h>
@@ -63,12 +61,6 @@ Options edit_options(const TriangleMesh& mesh, VertexPointMap vpm, const Shell& 
       };
   return options;
 }
-
-#ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
-// The shell of instances of edits.
-typedef Bspline_shell_3<Hierarchical_bspline_field_3<>, Spline_threshold<Hierarchical_bspline_field_3<> > >
-  Instance_shell;
-#endif
 
 } // namespace internal
 } // namespace Bspline_shells

@@ -104,7 +104,7 @@ Edit_status collapse_edges(TriangleMesh& mesh, VertexPointMap vpm, const Bspline
 
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
 extern template Edit_status collapse_edges<Parallel_if_available_tag>(
-  Instance_mesh&, Instance_points, const Instance_shell&,
+  Instance_mesh&, Instance_points, const Certified_bspline_shell_3&,
   const Collapse_options<Instance_mesh, Instance_points, Instance_kernel>&,
   Edit_result<Simplification_report, Instance_mesh>&);
 #endif

@@ -85,7 +85,7 @@ Edit_status remesh(TriangleMesh& mesh, VertexPointMap vpm, const Bspline_shell_3
 
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
 extern template Edit_status remesh<Parallel_if_available_tag>(
-  Instance_mesh&, Instance_points, const Instance_shell&,
+  Instance_mesh&, Instance_points, const Certified_bspline_shell_3&,
   const Remeshing_options<Instance_mesh, Instance_kernel::Point_3>&, Edit_result<Remeshing_report, Instance_mesh>&);
 #endif
 

@@ -6,8 +6,6 @@
 #ifndef CGAL_BSPLINE_SHELL_3_PROJECTION_INTERNAL_FACET_ON_CURVE_H
 #define CGAL_BSPLINE_SHELL_3_PROJECTION_INTERNAL_FACET_ON_CURVE_H
 
-#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
-#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Projection/Flow_status.h>
 #include <CGAL/Bspline_shell_3/Projection/Projection_facets_3.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/Curve_tuning.h>
@@ -245,8 +243,7 @@ Flow_status Facet_on_curve<Shell>::operator()(const Coordinates& start, Index ne
 
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
 extern template class Facet_on_curve<Bspline_shell_3<> >;
-extern template class Facet_on_curve<
-  Bspline_shell_3<Hierarchical_bspline_field_3<>, Spline_threshold<Hierarchical_bspline_field_3<> > > >;
+extern template class Facet_on_curve<Certified_bspline_shell_3>;
 #endif
 
 } // namespace internal

@@ -10,6 +10,8 @@
 #include <CGAL/Bspline_shell_3/Projection/Projection_facets_3.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/Integral_curve.h>
 #include <CGAL/Bspline_shell_3/Projection/internal/visit_facets_passed.h>
+#include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
+#include <CGAL/Bspline_shell_3/Support/instances.h>
 
 #include <limits>
 
@@ -78,6 +80,10 @@ private:
   const Projection_facets_3* m_facets;
   double m_tolerance;
 };
+
+#ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
+extern template class Outermost_facet_on_curve<Certified_bspline_shell_3>;
+#endif
 
 } // namespace internal
 } // namespace Bspline_shells

@@ -9,8 +9,6 @@
 #include <CGAL/Bspline_shell_3/Certificate/Field_predicates_3.h>
 #include <CGAL/Bspline_shell_3/Certificate/match_components.h>
 #include <CGAL/Bspline_shell_3/Certificate/segment_through_shell.h>
-#include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
-#include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Projection/Projection_facets_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Bspline_shell_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Certificate_report.h>
@@ -114,9 +112,8 @@ bool share_components(const Shell& shell, const Projection_facets_3& first, cons
 
 #ifdef CGAL_BSPLINE_SHELL_3_INSTANCES
 extern template bool share_components(const Bspline_shell_3<>&, const Projection_facets_3&, const Projection_facets_3&);
-extern template bool share_components(
-  const Bspline_shell_3<Hierarchical_bspline_field_3<>, Spline_threshold<Hierarchical_bspline_field_3<> > >&,
-  const Projection_facets_3&, const Projection_facets_3&);
+extern template bool share_components(const Certified_bspline_shell_3&, const Projection_facets_3&,
+                                      const Projection_facets_3&);
 #endif
 
 } // namespace internal
