@@ -23,7 +23,7 @@ run remesh joint 0.01 20
 run open lion 0.01 0
 run open three_peaks 0.01 0
 run texture elephant 0.02 800
-"$build/figure_data" truncate examples/Bspline_shell_3/four_cubes.off "$data/four_cubes" 0.08 30
+"$build/figure_data" truncate examples/Bspline_shell_3/four_cubes.off "$data/four_cubes" 0.01 30
 "$build/figure_data" soup "$data/figure"
 "$build/figure_data" excised "$data/ball"
 tool() { echo "bspline_shell $*"; "$build/bspline_shell" "$@"; }

@@ -54,13 +54,6 @@ struct Certified_shell_parameters
     constexpr double thicknesses = 3;
     return thicknesses * largest_thickness(unit);
   }
-  /// returns the largest radius of a truncation around a vertex, which is small compared to the possible distance
-  /// between points and images
-  static double largest_tip(double thickness)
-  {
-    constexpr double part = 1. / 8;
-    return part * thickness;
-  }
   /// returns the first invalid parameter, if there is one
   Invalid_parameter invalid() const
   {

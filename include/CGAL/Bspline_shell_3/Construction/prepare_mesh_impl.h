@@ -58,7 +58,7 @@ Input_mesh_3 prepare_mesh(Mesh_with_origins mesh, const Input_mesh_3::Tolerated_
     const auto largest_radius = [&](const std::array<double, 3>& p) {
       const double here = parameters.sizing ? parameters.sizing(Certified_bspline_shell_3::Point_3(p[0], p[1], p[2]))
                                             : thickness;
-      return parameters.largest_tip(here > 0 ? here : thickness);
+      return here > 0 ? here : thickness; // the distance by which points may also move along curves
     };
     const auto truncation = truncate_mesh<ConcurrencyTag>(mesh, largest_radius, parameters.least_cone_margin,
                                                           report.truncation);
