@@ -3,6 +3,7 @@ import base64
 import json
 import os
 import shutil
+import signal
 import subprocess
 import tempfile
 import time
@@ -16,7 +17,7 @@ class Browser:
     """A page in Chromium without a network and with software rendering. Collects errors and requests of the page."""
 
     def __init__(self, width, height):
-        self.profile = tempfile.TemporaryDirectory()
+        self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         from_browser, to_us = os.pipe()
         from_us, to_browser = os.pipe()
 
@@ -31,7 +32,7 @@ class Browser:
                    "--enable-unsafe-swiftshader", "--hide-scrollbars", "--no-first-run", "--disable-extensions",
                    f"--window-size={width},{height}", f"--user-data-dir={self.profile.name}"]
         self.process = subprocess.Popen([find_chromium(), *options, "about:blank"], preexec_fn=connect, close_fds=False,
-                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                                        start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(to_us)
         os.close(from_us)
         self.reader, self.writer = os.fdopen(from_browser, "rb"), os.fdopen(to_browser, "wb")
@@ -44,7 +45,7 @@ class Browser:
         self.resize(width, height)
 
     def close(self):
-        self.process.kill()
+        os.killpg(self.process.pid, signal.SIGKILL)  # also the processes that it started, which write to the profile
         self.process.wait()
         self.profile.cleanup()
 
