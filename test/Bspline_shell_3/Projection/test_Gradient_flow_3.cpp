@@ -1,5 +1,5 @@
-// Gradient_flow_3.h, Integral_curve.h: points arrive where the closed forms of integral curves end, up to the
-// tolerance, or the status is a failure.
+// Gradient_flow_3.h, Integral_curve.h, trace_to_level.h: points arrive where the closed forms of integral curves end,
+// up to the tolerance, or the status is a failure.
 #include "polynomial_fields.h"
 #include "shell_reports.h"
 
