@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <new>
@@ -92,6 +93,15 @@ Certificate certify(const Field& field, double inner, double outer, const Mesh& 
   Certificate certificate(field, Constant(inner), Constant(outer));
   certificate.verify<CGAL::Sequential_tag>(mesh);
   return certificate;
+}
+
+// Returns whether the cover of a point's component contains another point, if boxes with critical points beyond a
+// threshold are not subdivided.
+bool whole_cells_join(const Field& field, double inner, double outer, const Point_3& p, const Point_3& q)
+{
+  BS::Shell_cover_3<Field> cover(field, Constant(inner), Constant(outer), 0);
+  const std::uint32_t component = cover.flood<CGAL::Sequential_tag>(p, 0);
+  return cover.component(q) == component;
 }
 
 std::vector<Verdict> verdicts(const Certificate& certificate)
@@ -421,6 +431,22 @@ TEST_CASE("Certificate: a critical point in another shell component refutes noth
   CHECK(certificate.verdict(Claim::GRADIENT) == Verdict::UNDECIDED);
   // The cover contains both.
   REQUIRE(certificate.cover()->component(right) == 0);
+  // Farther below the saddle, finer boxes separate the wells.
+  const double outer = at_saddle - 0.09;
+  CHECK(whole_cells_join(field, inner, outer, left, right));
+  CHECK(certify(field, inner, outer, sphere(2, 0.25, left)));
+}
+
+TEST_CASE("Certificate: another shell component may reach the boundary of the domain, if boxes separate it")
+{
+  // a well and a saddle along x; beyond the saddle, the field decreases
+  Field field = cube_field(8, 0.5);
+  set(field, [](double x, double y, double z) {
+    return (3 * x - x * x * x) / 4 + std::pow(y - 0.31, 2) + std::pow(z + 0.13, 2);
+  });
+  const Point_3 well(-1, 0.31, -0.13), beyond(2, 0.31, -0.13);
+  CHECK(whole_cells_join(field, -0.2, 0.45, well, beyond));
+  CHECK(certify(field, -0.2, 0.45, sphere(2, 0.5, well)));
 }
 
 TEST_CASE("Certificate: a saddle away from the lattice is proved to be a critical point")

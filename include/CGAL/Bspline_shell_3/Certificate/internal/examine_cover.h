@@ -86,28 +86,41 @@ std::optional<std::vector<typename Shell_cover_3<Field, Threshold>::Shared> > ad
   return cover->adopt(*proved.boxes, points);
 }
 
-// Computes the cover by a flood fill from all components of the mesh.
+// Floods a cover from all components of the mesh. Returns the components of the mesh that share a component of the
+// cover with an earlier component.
+template <typename ConcurrencyTag, typename Field, typename Threshold>
+std::vector<typename Shell_cover_3<Field, Threshold>::Shared> flood_cover(const Input_mesh_3& input, const Seeds& seeds,
+                                                                          Shell_cover_3<Field, Threshold>& cover)
+{
+  typedef typename Field::Point_3 Point_3;
+  const Input_mesh_3::Triangle_mesh& mesh = input.mesh();
+  // The cells at the mesh are needed in any case.
+  std::vector<std::uint32_t> cells;
+  for(auto f : mesh.faces())
+    cells.push_back(cover.field().locate(converted<Point_3>(mesh.point(mesh.target(mesh.halfedge(f))))));
+  cover.template prepare<ConcurrencyTag>(std::move(cells));
+  std::vector<typename Shell_cover_3<Field, Threshold>::Shared> shared;
+  for(std::size_t c = 0; c < input.number_of_components(); ++c) {
+    const Point_3 seed = converted<Point_3>(mesh.point(seeds[c]));
+    const std::uint32_t known = cover.template flood<ConcurrencyTag>(seed, std::uint32_t(c));
+    if(known != c) shared.push_back({ known, c });
+  }
+  return shared;
+}
+
+// Computes the cover. Returns the components of the mesh that share a component of the cover with an earlier component.
 template <typename ConcurrencyTag, typename Field, typename Threshold>
 std::vector<typename Shell_cover_3<Field, Threshold>::Shared> find_cover(
   const Examined_shell<Field, Threshold>& shell, const Input_mesh_3& input, const Seeds& seeds,
   std::optional<Shell_cover_3<Field, Threshold> >& cover)
 {
-  typedef typename Field::Point_3 Point_3;
-  typedef typename Shell_cover_3<Field, Threshold>::Shared Shared;
-  // The cells at the mesh are needed in any case.
-  std::vector<std::uint32_t> cells;
-  for(auto f : input.mesh().faces())
-    cells.push_back(
-      shell.field.locate(converted<Point_3>(input.mesh().point(input.mesh().target(input.mesh().halfedge(f))))));
+  // A cover that does not separate the sides of walls has far fewer boxes, and suffices for most meshes.
+  constexpr int no_separation = 0;
+  cover.emplace(shell.field, shell.inner, shell.outer, no_separation);
+  const auto shared = flood_cover<ConcurrencyTag>(input, seeds, *cover);
+  if(shared.empty() && cover->number_of_undecided_boxes() == 0 && cover->at_end().empty()) return shared;
   cover.emplace(shell.field, shell.inner, shell.outer);
-  cover->template prepare<ConcurrencyTag>(std::move(cells));
-  std::vector<Shared> shared;
-  for(std::size_t c = 0; c < input.number_of_components(); ++c) {
-    const std::uint32_t known = cover->template flood<ConcurrencyTag>(converted<Point_3>(input.mesh().point(seeds[c])),
-                                                                      std::uint32_t(c));
-    if(known != c) shared.push_back({ known, c });
-  }
-  return shared;
+  return flood_cover<ConcurrencyTag>(input, seeds, *cover);
 }
 
 // Returns whether an undecided box is proved to contain a critical point in the shell: between the thresholds, and
