@@ -676,6 +676,38 @@ TEST_CASE("Remeshing: the visitor is called in each iteration, and an edit that 
   }
 }
 
+TEST_CASE("Remeshing: every new facet has passed the filter, which is the reason if it rejects what the shell accepts")
+{
+  const Mesh before = sphere(2);
+  Mesh mesh = before;
+  const auto none = [](const Point_3&, const Point_3&, const Point_3&) { return false; };
+  const auto nothing = BS::remesh_in_shell(mesh, 0.2, sphere_shell(), P::filter(none));
+  REQUIRE(nothing);
+  CHECK(nothing.end == BS::Edit_termination::FILTER);
+  CHECK(nothing.splits + nothing.collapses + nothing.flips + nothing.moves == 0);
+  CHECK(nothing.placements.number(Placement_verdict::BASE_FILTER) == nothing.placements.rejected());
+
+  // The upper half stays as it is.
+  const auto is_high = [](const Point_3& p) { return p.z() > 0; };
+  const auto low = [&](const Point_3& p, const Point_3& q, const Point_3& r) {
+    return !is_high(p) && !is_high(q) && !is_high(r);
+  };
+  for(double target : { 0.2, 0.5 }) {
+    Mesh half = before;
+    const auto report = BS::remesh_in_shell(half, target, sphere_shell(), P::filter(low));
+    check_result(report, sphere_shell(), half);
+    CHECK(report.splits + report.collapses > 0);
+    CHECK(report.end == BS::Edit_termination::FILTER);
+    half.collect_garbage();
+    std::set<Point_3> points;
+    for(auto v : half.vertices())
+      if(is_high(half.point(v))) points.insert(half.point(v));
+    for(auto v : before.vertices())
+      if(is_high(before.point(v))) CHECK(points.erase(before.point(v)) == 1);
+    CHECK(points.empty());
+  }
+}
+
 TEST_CASE("Remeshing: if all edges are near the target length, the report states this")
 {
   Mesh mesh = sphere(2); // edges of length 0.28 to 0.32

@@ -1,4 +1,5 @@
 // Edits of the mesh of an excised soup keep the contact with excised triangles, and add nothing to it.
+#include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/Soup/Excision_filter.h>
 #include <CGAL/Bspline_shell_3/Soup/check_excision.h>
@@ -7,6 +8,7 @@
 #include "finned_sphere.h"
 #include "test_meshes.h"
 
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/property_map.h>
 
 #include <cstddef>
@@ -139,6 +141,65 @@ TEST_CASE("Excision filter: a mesh simplified with it and with constrained pins 
   REQUIRE(BS::simplify_in_shell(free, ball.shell, parameters::stop(stop)));
   free.collect_garbage();
   CHECK(BS::check_replacement(ball.soup, free).status == BS::Excision_status::MISSING_PIN);
+}
+
+TEST_CASE("Excision filter: a new facet must have no vertex, edge or corners that only excised triangles have")
+{
+  const auto permits = [](const BS::Excised_soup_3& soup, const Point_3& p, const Point_3& q, const Point_3& r) {
+    const BS::Excision_filter filter(soup);
+    const bool result = filter(p, q, r);
+    CHECK(filter(q, r, p) == result);
+    CHECK(filter(r, q, p) == result);
+    return result;
+  };
+  const BS::Excised_soup_3 soup = tetrahedron_with({ { 0, 1, 4 } });
+  CHECK(permits(soup, a, b, far)); // the mesh has this edge
+  CHECK_FALSE(permits(soup, far, c, e));
+  CHECK_FALSE(permits(soup, a, b, e));
+  const BS::Excised_soup_3 closed = tetrahedron_with({ { 0, 3, 2 } });
+  CHECK_FALSE(permits(closed, a, c, d));
+  CHECK(permits(closed, a, c, b));
+}
+
+TEST_CASE("Excision filter: on request, a new facet must have no contact with excised triangles")
+{
+  const BS::Excised_soup_3 soup = tetrahedron_with({ { 0, 1, 4 } });
+  const Point_3 below(1, 0.6, -3), u(1, 0.7, 3), w(0.9, 0.9, 3); // the facet passes through (a, b, e)
+  CHECK(BS::Excision_filter(soup)(below, u, w));
+  CHECK_FALSE(BS::Excision_filter(soup, BS::New_contacts::REJECTED)(below, u, w));
+  CHECK(BS::Excision_filter(soup, BS::New_contacts::REJECTED)(below, a, b));
+}
+
+TEST_CASE("Excision filter: a mesh remeshed with it can replace the mesh of the soup, where flips could double an edge")
+{
+  // One edge of a sphere is flipped. An excised triangle has the original edge, which remeshing would restore.
+  Mesh start = sphere(3);
+  const auto flipped = *start.halfedges().begin();
+  const std::size_t p = std::size_t(start.source(flipped)), q = std::size_t(start.target(flipped));
+  CGAL::Euler::flip_edge(flipped, start);
+  BS::Soup_triangles soup = triangles_of(start);
+  soup.points.push_back(CGAL::ORIGIN + 1.5 * (soup.points[p] - CGAL::ORIGIN));
+  soup.point_of.push_back(soup.point_of.size());
+  soup.triangles.push_back({ p, q, soup.points.size() - 1 });
+  soup.polygon_of.push_back(soup.polygon_of.size());
+  std::vector<BS::Excision_reason> reasons(soup.triangles.size(), BS::Excision_reason::KEPT);
+  reasons.back() = BS::Excision_reason::NON_MANIFOLD;
+  const std::vector<char> is_reversed(reasons.size(), 0);
+  const BS::Excised_soup_3 excised(std::move(soup), std::move(reasons), is_reversed);
+  const CGAL::Certified_bspline_shell_3 shell = CGAL::certified_bspline_shell_3(excised.mesh(),
+                                                                                parameters::relative_thickness(0.05));
+  REQUIRE(shell.is_certified());
+  const auto remeshed = [&](const auto& filter) {
+    Mesh mesh = excised.mesh();
+    auto is_pin = mesh.add_property_map<Mesh::Vertex_index, bool>("v:pin", false).first;
+    for(auto v : excised.pinned_vertices()) is_pin[v] = true;
+    REQUIRE(BS::remesh_in_shell(mesh, 0.15, shell, parameters::vertex_is_constrained_map(is_pin).filter(filter)));
+    mesh.collect_garbage();
+    return mesh;
+  };
+  CHECK(BS::check_replacement(excised, remeshed(BS::Excision_filter(excised))));
+  const auto permissive = [](const Point_3&, const Point_3&, const Point_3&) { return true; };
+  CHECK(BS::check_replacement(excised, remeshed(permissive)).status == BS::Excision_status::COMMON_EDGE);
 }
 
 TEST_CASE("Excision filter: pinned edges are constrained, and one edge at each pinned vertex without one")

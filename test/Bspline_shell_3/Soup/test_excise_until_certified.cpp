@@ -96,6 +96,7 @@ TEST_CASE("Excision until certified: nothing is excised if the proof fails on mo
     BS::Excised_soup_3 soup = chosen(soup_of(grooved_block(1, 0.05)));
     BS::Excision_limits limits;
     limits.facets = facets;
+    limits.share_of_facets = 0;
     Shell shell;
     BS::excise_until_certified(soup, shell, limits, [&](const Mesh& mesh, const auto& caps) {
       return CGAL::certified_bspline_shell_3(mesh, parameters::effort_limit(20000.).hole_requires_cap(caps));

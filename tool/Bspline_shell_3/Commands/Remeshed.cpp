@@ -5,12 +5,14 @@
 #include "../Carry/Corner_groups.h"
 
 #include <CGAL/Bspline_shell_3/Editing/remesh_in_shell.h>
+#include <CGAL/Bspline_shell_3/Soup/Excision_filter.h>
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <functional>
 #include <limits>
+#include <optional>
 
 namespace Tool {
 
@@ -78,18 +80,24 @@ Remeshed remesh_in_shell(const Model& model, const std::shared_ptr<const BS::She
       is_line[e] = is_line[e] || lines[e];
     }
   }
+  std::optional<BS::Excision_filter> excision;
   if(found.excised) {
     // Excised triangles touch the mesh at pins, which must remain.
     result.protects_lines = !found.excised->pinned_edges().empty();
     for(auto e : found.excised->pinned_edges()) is_line[e] = true;
     for(auto v : found.excised->pinned_vertices()) is_pin[v] = true;
+    excision.emplace(*found.excised, BS::New_contacts::REJECTED);
   }
+  const auto filter = [&](const Mesh::Point& p, const Mesh::Point& q, const Mesh::Point& r) {
+    return !excision || (*excision)(p, q, r);
+  };
 
   Remeshing_visitor visitor(time, progress);
   const auto report = BS::remesh_in_shell(mesh, target.edge, found.shell(),
                                           BS::parameters::edge_is_constrained_map(is_line)
                                             .vertex_is_constrained_map(is_pin)
                                             .protect_constraints(result.protects_lines)
+                                            .filter(filter)
                                             .visitor(std::ref(visitor)));
   if(!report) return fail(report.message());
   result.end = report.end;

@@ -23,6 +23,7 @@ std::string message_of_end(const Remeshed& result)
     case BS::Edit_termination::SHELL:
       return "The shell prevents further changes: a larger --thickness than " + number(result.thickness)
              + " may bring more edges to the requested length.";
+    case BS::Edit_termination::FILTER: return "Excised triangles prevent further changes.";
     case BS::Edit_termination::VISITOR:
       return "The time limit ended the remeshing: a larger --time-limit may bring more edges to the requested length.";
     case BS::Edit_termination::ITERATIONS: return "All iterations were done.";

@@ -131,6 +131,11 @@ using Remeshing_result = Edit_result<Remeshing_report, TriangleMesh>;
  *       \cgalParamType{`double`}
  *       \cgalParamDefault{infinite}
  *     \cgalParamNEnd
+ *     \cgalParamNBegin{filter}
+ *       \cgalParamDescription{a model of `FacetFilter`, called for the facets that an operation would create, before
+ *         the shell is tested. If it rejects one, the operation is omitted or done in part.}
+ *       \cgalParamDefault{all facets may be created}
+ *     \cgalParamNEnd
  *     \cgalParamNBegin{visitor}
  *       \cgalParamDescription{a model of `RemeshingVisitor`, which can show progress or cancel; the mesh remeshed so
  *         far is then certified and kept}
@@ -165,6 +170,7 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
   using CGAL::parameters::is_default_parameter;
 
   typedef typename GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
@@ -236,6 +242,11 @@ Remeshing_result<TriangleMesh> remesh_in_shell(TriangleMesh& mesh, const Sizing&
   if(!(bytes_per_facet * (double(result.facets_before) + expected) <= memory_limit))
     return ended(Edit_status::MEMORY_LIMIT_EXCEEDED);
 
+  if constexpr(!is_default_parameter<CGAL_NP_CLASS, internal_np::filter_t>::value)
+    options.permits_facet = [&](const Point_3& p, const Point_3& q, const Point_3& r) {
+      return bool(get_parameter_reference(np, internal_np::filter)(
+        internal::converted<Point>(p), internal::converted<Point>(q), internal::converted<Point>(r)));
+    };
   auto&& visitor = internal::argument<Default_remeshing_visitor>(np, internal_np::visitor);
   options.start_iteration = [&](unsigned int n) { return bool(visitor.start_iteration(n)); };
   options.go_on = [&] { return !result.invalid_parameter && bool(visitor.go_on()); };

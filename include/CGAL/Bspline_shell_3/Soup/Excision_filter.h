@@ -26,25 +26,27 @@ namespace Bspline_shells {
 enum class New_contacts
 {
   ALLOWED,
-  REJECTED ///< no edge collapse increases the number of contacts
+  REJECTED ///< no edge collapse increases the number of contacts, and remeshing creates no facet with a contact
 };
 
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief a filter of edge collapses in the mesh of an excised soup: a collapse must not create a vertex, an edge, or a
- * facet that the mesh would then have in common with the excised triangles.
+ * \brief a filter of edits of the mesh of an excised soup: an edge collapse, or a facet that remeshing creates, must
+ * not add a vertex, an edge, or a facet that the mesh would then have in common with the excised triangles.
  *
- * With `constrain_pins()`, it ensures that the simplified mesh passes `check_replacement()`.
+ * With `constrain_pins()`, it ensures that the edited mesh passes `check_replacement()`.
  *
  * \cgalModels `PlacementFilter`
+ * \cgalModels `FacetFilter`
  */
 class Excision_filter
 {
-  typedef internal::Excised_simplices::Point_3 Point_3;
   typedef internal::Excised_simplices::Triangle Triangle;
 
 public:
+  typedef internal::Excised_simplices::Point_3 Point_3;
+
   explicit Excision_filter(const Excised_soup_3& soup, New_contacts contacts = New_contacts::ALLOWED)
     : m_excised(std::make_shared<const internal::Excised_simplices>(soup)), m_contacts(contacts)
   {}
@@ -56,6 +58,17 @@ public:
   {
     return placement && keeps_complex(profile, *placement) && keeps_contacts(profile, *placement) ? placement
                                                                                                   : OptionalPoint();
+  }
+
+  /// returns whether remeshing may create the facet; may be called concurrently.
+  /// \pre all pins are vertices of the mesh
+  bool operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
+  {
+    const Triangle t = { p, q, r };
+    for(std::size_t i = 0; i < 3; ++i)
+      if(m_excised->has_own_point(t[i]) || m_excised->has_edge(t[i], t[(i + 1) % 3])) return false;
+    return !m_excised->has_triangle(t)
+           && (m_contacts == New_contacts::ALLOWED || m_excised->number_of_contacts(t) == 0);
   }
 
 private:

@@ -43,9 +43,15 @@ struct Excision_limits
   /// limit of effort for each of these shells, as a fraction of that of the shell of a sound mesh. Of the meshes of
   /// \cgal's data folder with a certified shell after excision, none needs more than 0.21 of the default limit.
   double effort = 1. / 4;
-  /// largest number of facets closest to the listed obstacles that are excised at once, without rings. If there are
-  /// more, the cause is the surface, not a few defects.
+  /// largest number of facets closest to the listed obstacles that are excised at once, and the largest fraction of all
+  /// facets; the larger limit counts. If there are more, the cause is the surface, not a few defects.
   std::size_t facets = 20;
+  double share_of_facets = 0.01;
+
+  bool permits(std::size_t excised, std::size_t all) const
+  {
+    return excised <= facets || double(excised) <= share_of_facets * double(all);
+  }
 };
 
 namespace internal {
@@ -79,7 +85,7 @@ public:
         if(verdict) return true;
         // A truncated vertex moves, so excised triangles must not depend on it.
         if(verdict.status != Excision_status::MOVED_TIP
-           || !excise(facets_at(verdict.vertices), Excision_reason::SINGULAR_PIN, 0))
+           || !excise(facets_at(verdict.vertices), Excision_reason::SINGULAR_PIN))
           return false;
       } else if(m_shell ? !excise_unproved() : !excise_refused()) return false;
     }
@@ -90,11 +96,10 @@ public:
   Shell& shell() { return m_shell; }
 
 private:
-  // \param rings number of rings around facets at places that did not fail before
-  bool excise(const Facets& facets, Excision_reason reason, std::size_t rings)
+  bool excise(const Facets& facets, Excision_reason reason)
   {
     if(facets.empty()) return false;
-    m_last = m_growth.triangles_around(m_soup, facets, rings);
+    m_last = m_growth.triangles_around(m_soup, facets);
     m_soup = excise_also(m_soup, m_last, reason);
     return true;
   }
@@ -104,7 +109,8 @@ private:
   {
     if(++m_shells == m_limits.shells) return false;
     const Facets facets = facets_at_obstacles(m_soup.mesh(), m_shell.report().obstacles);
-    return facets.size() <= m_limits.facets && excise(facets, Excision_reason::NOT_CERTIFIED, 1);
+    return m_limits.permits(facets.size(), m_soup.mesh().number_of_faces())
+           && excise(facets, Excision_reason::NOT_CERTIFIED);
   }
 
   // Changes the mesh where it was rejected.
@@ -121,7 +127,7 @@ private:
       default: return false;
     }
     if(m_shell.status() == Shell_status::NOT_CLOSABLE
-       && excise(Excision_holes(m_soup).facets_without_cap(m_shell.report().closing), Excision_reason::NOT_CLOSABLE, 0))
+       && excise(Excision_holes(m_soup).facets_without_cap(m_shell.report().closing), Excision_reason::NOT_CLOSABLE))
       return true;
     std::vector<Mesh::Vertex_index> vertices;
     for(std::size_t v : offenders.vertices) vertices.emplace_back(Mesh::size_type(v));
@@ -129,7 +135,7 @@ private:
     for(std::size_t f : offenders.facets) facets.emplace_back(Mesh::size_type(f));
     // If no facet is listed, a cap is at fault, probably that of the last hole.
     if(facets.empty()) facets = facets_beside(m_soup, m_last);
-    return excise(facets, Excision_reason::NOT_CLOSABLE, 0);
+    return excise(facets, Excision_reason::NOT_CLOSABLE);
   }
 
   Facets facets_at(const std::vector<Mesh::Vertex_index>& vertices) const

@@ -61,7 +61,7 @@ void try_excision(const Polygon_soup& soup, const std::optional<Welded_soup>& we
   Excised_soup_3 excised = choose_excision(triangles_to_excise(soup, welded));
   if(result.mesh_status == Shell_status::SUCCESS && excised) {
     const auto facets = facets_at_obstacles(excised.mesh(), result.shell_of_mesh.report().obstacles);
-    if(facets.size() > limits.facets) return;
+    if(!limits.permits(facets.size(), excised.mesh().number_of_faces())) return;
     std::vector<std::size_t> triangles;
     for(auto f : facets) triangles.push_back(excised.triangle_of(f));
     excised = excise_also(excised, triangles, Excision_reason::NOT_CERTIFIED);

@@ -35,8 +35,8 @@ namespace Bspline_shells {
 namespace internal {
 
 // A mesh during remeshing, with the operations that change it. Operations and verdicts of the oracle are counted. The
-// caller chooses where to apply an operation. It must not change constrained or frozen elements, and the oracle must
-// accept all facets after the change.
+// caller chooses where to apply an operation. It must not change constrained or frozen elements, and the user's filter
+// and the oracle must accept all facets after the change.
 //
 // Fans that wind once then continue to do so. At a vertex that moves or is new, the oracle counts the turns. At other
 // vertices, one or two facets are replaced by one or two facets between the same two edges. They turn by less than a
@@ -130,14 +130,19 @@ public:
   // May be called concurrently; the verdict is not counted.
   Placement_verdict verdict(const Point& p, const Link& link) const
   {
+    for(std::size_t n = 0; n < link.size(); ++n)
+      if(!permits(p, link[n], link[(n + 1) % link.size()])) return Placement_verdict::BASE_FILTER;
     typename Oracle::Memory none;
     return oracle(p, link, none);
   }
   void count(Placement_verdict verdict) { ++m_report.placements.by_verdict[std::size_t(verdict)]; }
-  std::size_t rejected() const { return m_report.placements.rejected(); }
-  // Returns whether the oracle accepts the star of a point.
+  const Placement_statistics& placements() const { return m_report.placements; }
+  // Returns whether the filter and the oracle accept the star of a point.
   bool accepts(const Point& p, const Link& link) { return is_accepted(verdict(p, link)); }
-  bool accepts(const Point& p, const Point& q, const Point& r) { return is_accepted(oracle(p, q, r)); }
+  bool accepts(const Point& p, const Point& q, const Point& r)
+  {
+    return is_accepted(permits(p, q, r) ? oracle(p, q, r) : Placement_verdict::BASE_FILTER);
+  }
 
   // Neighborhoods
 
@@ -191,6 +196,10 @@ private:
   void set_point(vertex_descriptor v, const Point& p)
   {
     put(m_vpm, v, converted<typename boost::property_traits<VertexPointMap>::value_type>(p));
+  }
+  bool permits(const Point& p, const Point& q, const Point& r) const
+  {
+    return !m_options.permits_facet || m_options.permits_facet(p, q, r);
   }
   bool is_accepted(Placement_verdict verdict)
   {

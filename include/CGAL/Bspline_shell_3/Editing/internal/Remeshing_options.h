@@ -26,6 +26,8 @@ struct Remeshing_options : Edit_options<TriangleMesh>
   bool protects_constraints = false;
   unsigned int iterations = 3, relaxations = 2;
   bool projects = true;
+  // Returns whether a facet may be created; may be called concurrently. Empty if all may.
+  std::function<bool(const Point&, const Point&, const Point&)> permits_facet;
   std::function<bool(unsigned int)> start_iteration;
   std::function<bool()> go_on; // returns false to end the edit
 };

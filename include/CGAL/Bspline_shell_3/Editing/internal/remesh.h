@@ -31,10 +31,20 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
+// Returns what rejected placements between two counts: the shell, only the filter, or nothing, so that the edit ended
+// with its iterations.
+inline Edit_termination obstacle_between(const Placement_statistics& before, const Placement_statistics& after)
+{
+  constexpr Placement_verdict filter = Placement_verdict::BASE_FILTER;
+  const std::size_t all = after.rejected() - before.rejected();
+  const std::size_t by_filter = after.number(filter) - before.number(filter);
+  return all > by_filter ? Edit_termination::SHELL : all > 0 ? Edit_termination::FILTER : Edit_termination::ITERATIONS;
+}
+
 // Returns the reason why edges may differ from the target length.
-// \param has_rejected whether the oracle rejected a split or a collapse in the last iteration
+// \param obstacle what rejected a split or a collapse in the last iteration
 template <typename Guarded>
-Edit_termination termination(const Guarded& guarded, bool has_rejected)
+Edit_termination termination(const Guarded& guarded, Edit_termination obstacle)
 {
   const auto is_about_right = [&](auto e) {
     const double length = guarded.relative_length(halfedge(e, guarded.mesh));
@@ -43,7 +53,7 @@ Edit_termination termination(const Guarded& guarded, bool has_rejected)
   if(std::all_of(edges(guarded.mesh).begin(), edges(guarded.mesh).end(), is_about_right))
     return Edit_termination::TARGET;
   if(guarded.has_ended()) return Edit_termination::VISITOR;
-  return has_rejected ? Edit_termination::SHELL : Edit_termination::ITERATIONS;
+  return obstacle;
 }
 
 // Remeshes a mesh in a shell. Edges are processed in an order that depends on lengths and, for equal lengths, on the
@@ -63,19 +73,19 @@ Edit_status remesh(TriangleMesh& mesh, VertexPointMap vpm, const Bspline_shell_3
       return image ? image.point : p;
     };
     Guarded_mesh guarded(mesh, vpm, oracle, frozen, options, all, result);
-    bool has_rejected = false;
+    Edit_termination obstacle = Edit_termination::ITERATIONS;
     for(unsigned int i = 0; i < options.iterations && !guarded.has_ended(); ++i) {
       if(!options.start_iteration(i)) guarded.end();
       flip_to_larger_angles(guarded);
-      const std::size_t rejected_before = guarded.rejected();
+      const Placement_statistics before = guarded.placements();
       split_long_edges(guarded);
       collapse_short_edges(guarded);
-      has_rejected = guarded.rejected() > rejected_before;
+      obstacle = obstacle_between(before, guarded.placements());
       flip_to_regular_valences(guarded);
       for(unsigned int j = 0; j < options.relaxations; ++j) relax_vertices<ConcurrencyTag>(guarded, project);
     }
     flip_to_larger_angles(guarded);
-    result.end = termination(guarded, has_rejected);
+    result.end = termination(guarded, obstacle);
     result.images = guarded.images.all();
     return result.invalid_parameter ? Edit_status::INVALID_PARAMETER : Edit_status::SUCCESS;
   };

@@ -31,6 +31,7 @@ public:
   Excised_simplices(const Excised_simplices&) = delete;
   Excised_simplices& operator=(const Excised_simplices&) = delete;
 
+  bool has_own_point(const Point_3& p) const { return m_own_points.count(p) > 0; }
   bool has_point(const Point_3& p) const { return m_points.count(p) > 0; } // also points that the mesh has
   bool has_edge(const Point_3& p, const Point_3& q) const { return m_edges.count(sorted(Edge{ p, q })) > 0; }
   bool has_triangle(const Triangle& t) const { return m_triangles.count(sorted(t)) > 0; }
@@ -49,7 +50,7 @@ private:
     return simplex;
   }
 
-  std::set<Point_3> m_points;
+  std::set<Point_3> m_own_points, m_points;
   std::set<Edge> m_edges;
   std::set<Triangle> m_triangles;
   std::unique_ptr<const Tree> m_tree; // of excised triangles with an area

@@ -49,8 +49,9 @@ CGAL_BSPLINE_SHELL_3_INLINE Excised_simplices::Excised_simplices(const Excised_s
       with_area.emplace_back(points[c[0]], points[c[1]], points[c[2]]);
     for(std::size_t i = 0; i < 3; ++i) {
       const std::size_t p = c[i], q = c[(i + 1) % 3];
-      m_points.insert(points[p]);
       const auto v = soup.vertex_at(p), w = soup.vertex_at(q);
+      m_points.insert(points[p]);
+      if(v == mesh.null_vertex()) m_own_points.insert(points[p]);
       const bool are_vertices = v != mesh.null_vertex() && w != mesh.null_vertex();
       if(!are_vertices || mesh.halfedge(v, w) == mesh.null_halfedge())
         m_edges.insert(sorted(Edge{ points[p], points[q] }));

@@ -17,17 +17,16 @@ namespace Bspline_shells {
 namespace internal {
 
 // Chooses the triangles that are excised at places where no shell was built: offending facets, and rings of facets
-// around them. The first time, the caller chooses the number of rings. Each time that a place fails again, there is one
-// more ring around the facets that fail then. Hence the distance from the place grows like the square of the number of
-// failures. If it grows exponentially, holes become unnecessarily large.
+// around them. The first time, there are no rings. Each time that a place fails again, there is one more ring around
+// the facets that fail then. Hence the distance from the place grows like the square of the number of failures. If it
+// grows exponentially, holes become unnecessarily large.
 class Excision_growth
 {
   typedef Excised_soup_3::Mesh Mesh;
   typedef Mesh::Face_index Face_index;
 public:
   // Returns the triangles of the offending facets and of the rings around them, ascending.
-  std::vector<std::size_t> triangles_around(const Excised_soup_3& soup, const std::vector<Face_index>& offenders,
-                                            std::size_t first_rings);
+  std::vector<std::size_t> triangles_around(const Excised_soup_3& soup, const std::vector<Face_index>& offenders);
 
 private:
   // Numbers of rings, with the facet itself as one; 0 for a facet that is not reached.
@@ -37,11 +36,10 @@ private:
     std::size_t remaining = 0; // around this facet
   };
 
-  // Returns the reach of an offending facet: one more than when its place failed before, or the first one.
-  std::size_t reach_of(const Excised_soup_3& soup, Face_index f, std::size_t first) const;
+  // Returns the reach of an offending facet: one more than when its place failed before.
+  std::size_t reach_of(const Excised_soup_3& soup, Face_index f) const;
 
-  std::vector<Reach> reach_from(const Excised_soup_3& soup, const std::vector<Face_index>& offenders,
-                                std::size_t first) const;
+  std::vector<Reach> reach_from(const Excised_soup_3& soup, const std::vector<Face_index>& offenders) const;
 
   std::vector<std::size_t> m_reach_at; // by point: the initial reach with which its triangles were excised
 };

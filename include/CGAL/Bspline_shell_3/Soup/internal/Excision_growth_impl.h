@@ -19,11 +19,10 @@ namespace internal {
 
 CGAL_BSPLINE_SHELL_3_INLINE
 std::vector<std::size_t> Excision_growth::triangles_around(const Excised_soup_3& soup,
-                                                           const std::vector<Face_index>& offenders,
-                                                           std::size_t first_rings)
+                                                           const std::vector<Face_index>& offenders)
 {
   m_reach_at.resize(soup.soup().points.size(), 0);
-  const std::vector<Reach> reach = reach_from(soup, offenders, first_rings + 1);
+  const std::vector<Reach> reach = reach_from(soup, offenders);
   std::vector<std::size_t> triangles;
   for(Face_index f : soup.mesh().faces()) {
     if(reach[f].initial == 0) continue;
@@ -35,23 +34,22 @@ std::vector<std::size_t> Excision_growth::triangles_around(const Excised_soup_3&
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE
-std::size_t Excision_growth::reach_of(const Excised_soup_3& soup, Face_index f, std::size_t first) const
+std::size_t Excision_growth::reach_of(const Excised_soup_3& soup, Face_index f) const
 {
   std::size_t before = 0;
   for(std::size_t v : soup.soup().triangles[soup.triangle_of(f)]) before = (std::max)(before, m_reach_at[v]);
-  return before == 0 ? first : before + 1;
+  return before + 1;
 }
 
 CGAL_BSPLINE_SHELL_3_INLINE
 std::vector<Excision_growth::Reach> Excision_growth::reach_from(const Excised_soup_3& soup,
-                                                                const std::vector<Face_index>& offenders,
-                                                                std::size_t first) const
+                                                                const std::vector<Face_index>& offenders) const
 {
   const Mesh& mesh = soup.mesh();
   std::vector<Reach> reach(mesh.number_of_faces());
   std::vector<std::vector<Face_index> > with(1); // by remaining reach
   for(Face_index f : offenders) {
-    const std::size_t n = reach_of(soup, f, first);
+    const std::size_t n = reach_of(soup, f);
     if(reach[f].initial >= n) continue; // listed twice
     reach[f] = { n, n };
     if(with.size() <= n) with.resize(n + 1);
