@@ -32,10 +32,10 @@ enum class New_contacts
 /*!
  * \ingroup PkgBsplineShell3Soup
  *
- * \brief a filter of edits of the mesh of an excised soup: an edge collapse, or a facet that remeshing creates, must
- * not add a vertex, an edge, or a facet that the mesh would then have in common with the excised triangles.
+ * \brief a filter of edits of the mesh of an excised soup. It rejects collapses, and facets that remeshing would
+ * create, if the mesh would then share a further vertex, edge, or facet with the excised triangles.
  *
- * With `constrain_pins()`, it ensures that the edited mesh passes `check_replacement()`.
+ * With `constrain_pins()` and, for remeshing, `protect_constraints`, the edited mesh passes `check_replacement()`.
  *
  * \cgalModels `PlacementFilter`
  * \cgalModels `FacetFilter`

@@ -20,7 +20,10 @@
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/squared_distance_3.h>
+
+#include <boost/range/adaptor/transformed.hpp>
 
 #include <algorithm>
 #include <array>
@@ -114,11 +117,21 @@ std::vector<typename Shell_cover_3<Field, Threshold>::Shared> find_cover(
   const Examined_shell<Field, Threshold>& shell, const Input_mesh_3& input, const Seeds& seeds,
   std::optional<Shell_cover_3<Field, Threshold> >& cover)
 {
-  // A cover that does not separate the sides of walls has far fewer boxes, and suffices for most meshes.
+  typedef typename Field::Point_3 Point_3;
+  const Input_mesh_3::Triangle_mesh& mesh = input.mesh();
+  const auto center = [&](auto f) {
+    const auto h = mesh.halfedge(f);
+    return converted<Point_3>(
+      CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))));
+  };
+  // A cover that does not separate the sides of walls has far fewer boxes. It suffices for most meshes, because the
+  // mesh is on both sides.
   constexpr int no_separation = 0;
   cover.emplace(shell.field, shell.inner, shell.outer, no_separation);
   const auto shared = flood_cover<ConcurrencyTag>(input, seeds, *cover);
-  if(shared.empty() && cover->number_of_undecided_boxes() == 0 && cover->at_end().empty()) return shared;
+  if(shared.empty() && cover->number_of_undecided_boxes() == 0
+     && cover->are_monotone_boxes_connected_to(mesh.faces() | boost::adaptors::transformed(center)))
+    return shared;
   cover.emplace(shell.field, shell.inner, shell.outer);
   return flood_cover<ConcurrencyTag>(input, seeds, *cover);
 }
