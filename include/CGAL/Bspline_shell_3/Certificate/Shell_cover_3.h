@@ -181,9 +181,9 @@ public:
   /// Returns whether monotone boxes connect each monotone box of the cover to one that contains one of these points.
   /// Other monotone boxes may be in another component of the shell: only a box with critical points joins them to the
   /// cover, and its parts may be excluded.
-  /// \tparam PointRange a range of `Point_3`
-  template <typename PointRange>
-  bool are_monotone_boxes_connected_to(const PointRange& points) const
+  /// \param visit_points calls its argument for each of the points, until the argument returns `false`
+  template <typename VisitPoints>
+  bool are_monotone_boxes_connected_to(const VisitPoints& visit_points) const
   {
     const auto is_monotone = [](const Cover_box& box) {
       return box.kind == Box_kind::MONOTONE && box.component != Cover_box::no_component;
@@ -197,8 +197,7 @@ public:
       front.push_back(b);
       --left;
     };
-    for(const Point_3& p : points) {
-      if(left == 0) break;
+    visit_points([&](const Point_3& p) {
       internal::Run::poll();
       visit_boxes_at(p, reach);
       while(!front.empty()) {
@@ -208,7 +207,8 @@ public:
         if(is_inside_cell(box)) m_boxes.visit_touching(box.cell, b, reach);
         else visit_boxes_touching(b, reach);
       }
-    }
+      return left > 0;
+    });
     return left == 0;
   }
 
