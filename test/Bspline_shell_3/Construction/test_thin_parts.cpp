@@ -214,6 +214,18 @@ TEST_CASE("Thin parts: a threshold steeper than the field is rejected, and the p
   CHECK(places > 0);
 }
 
+TEST_CASE("Thin parts: whole cells cover both sides of a wall in its cover, because the mesh is on both sides")
+{
+  const Mesh plate = box(Point_3(0, 0, 0), Point_3(1, 1, 0.03));
+  const Shell shell = CGAL::certified_bspline_shell_3(plate);
+  check_certified(plate, shell);
+  const auto is_whole_cell_within_wall = [](const BS::Cover_box& box) {
+    return box.kind == BS::Box_kind::CRITICAL_BELOW && box.component == 0 && box.depth == 0;
+  };
+  const auto& boxes = *shell.proved_cover();
+  CHECK(std::count_if(boxes.begin(), boxes.end(), is_whole_cell_within_wall) > 100);
+}
+
 TEST_CASE("Thin parts: grooves and fins of 10 degrees, narrower than a root cell, are certified with few cells")
 {
   for(double depth : { 0.05, 0.1, -0.05, -0.1 }) {

@@ -13,6 +13,7 @@
 #include <CGAL/Bspline_shell_3/Shell/Cover_box.h>
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
+#include <CGAL/Bspline_shell_3/Support/Run.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 #include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
@@ -177,6 +178,40 @@ public:
     return component;
   }
 
+  /// Returns whether monotone boxes connect each monotone box of the cover to one that contains one of these points.
+  /// Other monotone boxes may be in another component of the shell: only a box with critical points joins them to the
+  /// cover, and its parts may be excluded.
+  /// \param visit_points calls its argument for each of the points, until the argument returns `false`
+  template <typename VisitPoints>
+  bool are_monotone_boxes_connected_to(const VisitPoints& visit_points) const
+  {
+    const auto is_monotone = [](const Cover_box& box) {
+      return box.kind == Box_kind::MONOTONE && box.component != Cover_box::no_component;
+    };
+    std::size_t left = std::size_t(std::count_if(boxes().begin(), boxes().end(), is_monotone));
+    std::vector<char> is_reached(boxes().size(), 0);
+    std::vector<std::size_t> front;
+    const auto reach = [&](std::size_t b) {
+      if(is_reached[b] || !is_monotone(m_boxes[b])) return;
+      is_reached[b] = 1;
+      front.push_back(b);
+      --left;
+    };
+    visit_points([&](const Point_3& p) {
+      internal::Run::poll();
+      visit_boxes_at(p, reach);
+      while(!front.empty()) {
+        const Cover_box& box = m_boxes[front.back()];
+        front.pop_back();
+        const Bbox_3 b = bbox(box);
+        if(is_inside_cell(box)) m_boxes.visit_touching(box.cell, b, reach);
+        else visit_boxes_touching(b, reach);
+      }
+      return left > 0;
+    });
+    return left == 0;
+  }
+
   /// Returns the component of the cover that contains a point, or `Cover_box::no_component`.
   std::uint32_t component(const Point_3& p) const
   {
@@ -279,13 +314,18 @@ private:
     return inside;
   }
 
-  // Calls visit(b) for the boxes of subdivided cells that contain a point.
+  // Calls visit(b) for the boxes of subdivided cells that touch a closed box, or contain a point.
+  template <typename Visitor>
+  void visit_boxes_touching(const Bbox_3& box, const Visitor& visit) const
+  {
+    field().visit_cells(box, [&](std::uint32_t c) {
+      if(m_boxes.is_subdivided(c)) m_boxes.visit_touching(c, box, visit);
+    });
+  }
   template <typename Visitor>
   void visit_boxes_at(const Point_3& p, const Visitor& visit) const
   {
-    field().visit_cells(p.bbox(), [&](std::uint32_t c) {
-      if(m_boxes.is_subdivided(c)) m_boxes.visit_touching(c, p.bbox(), visit);
-    });
+    visit_boxes_touching(p.bbox(), visit);
   }
 
   internal::Cover_boxes<Field> m_boxes;

@@ -20,6 +20,7 @@
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/squared_distance_3.h>
 
 #include <algorithm>
@@ -86,28 +87,77 @@ std::optional<std::vector<typename Shell_cover_3<Field, Threshold>::Shared> > ad
   return cover->adopt(*proved.boxes, points);
 }
 
-// Computes the cover by a flood fill from all components of the mesh.
+// Floods a cover from all components of the mesh. Returns the components of the mesh that share a component of the
+// cover with an earlier component.
+template <typename ConcurrencyTag, typename Field, typename Threshold>
+std::vector<typename Shell_cover_3<Field, Threshold>::Shared> flood_cover(const Input_mesh_3& input, const Seeds& seeds,
+                                                                          Shell_cover_3<Field, Threshold>& cover)
+{
+  typedef typename Field::Point_3 Point_3;
+  const Input_mesh_3::Triangle_mesh& mesh = input.mesh();
+  // The cells at the mesh are needed in any case.
+  std::vector<std::uint32_t> cells;
+  for(auto f : mesh.faces())
+    cells.push_back(cover.field().locate(converted<Point_3>(mesh.point(mesh.target(mesh.halfedge(f))))));
+  cover.template prepare<ConcurrencyTag>(std::move(cells));
+  std::vector<typename Shell_cover_3<Field, Threshold>::Shared> shared;
+  for(std::size_t c = 0; c < input.number_of_components(); ++c) {
+    const Point_3 seed = converted<Point_3>(mesh.point(seeds[c]));
+    const std::uint32_t known = cover.template flood<ConcurrencyTag>(seed, std::uint32_t(c));
+    if(known != c) shared.push_back({ known, c });
+  }
+  return shared;
+}
+
+// Calls visit(p) for points of the facets, about half a cell apart, until it returns false.
+template <typename Field, typename Visit>
+void visit_points_of_facets(const Input_mesh_3::Triangle_mesh& mesh, const Field& field, const Visit& visit)
+{
+  typedef Input_mesh_3::Triangle_mesh::Point Point;
+  typedef std::array<Point, 3> Triangle;
+  constexpr double size = 0.5; // of a part of a facet, in widths of the cell at its center
+  std::vector<Triangle> parts;
+  for(auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    parts.assign(1, { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) });
+    while(!parts.empty()) {
+      const Triangle t = parts.back();
+      parts.pop_back();
+      const auto center = converted<typename Field::Point_3>(CGAL::centroid(t[0], t[1], t[2]));
+      const auto cell = field.locate(center);
+      if(cell == Field::npos) continue;
+      const auto squared_length = [&](std::size_t i) { return CGAL::squared_distance(t[i], t[(i + 1) % 3]); };
+      std::size_t i = 0; // the longest edge
+      for(std::size_t k = 1; k < 3; ++k)
+        if(squared_length(k) > squared_length(i)) i = k;
+      if(std::sqrt(squared_length(i)) <= size * field.cell(cell).width()) {
+        if(!visit(center)) return;
+        continue;
+      }
+      const Point &a = t[i], &b = t[(i + 1) % 3], &c = t[(i + 2) % 3], middle = CGAL::midpoint(a, b);
+      parts.push_back({ a, middle, c });
+      parts.push_back({ middle, b, c });
+    }
+  }
+}
+
+// Computes the cover. Returns the components of the mesh that share a component of the cover with an earlier component.
 template <typename ConcurrencyTag, typename Field, typename Threshold>
 std::vector<typename Shell_cover_3<Field, Threshold>::Shared> find_cover(
   const Examined_shell<Field, Threshold>& shell, const Input_mesh_3& input, const Seeds& seeds,
   std::optional<Shell_cover_3<Field, Threshold> >& cover)
 {
-  typedef typename Field::Point_3 Point_3;
-  typedef typename Shell_cover_3<Field, Threshold>::Shared Shared;
-  // The cells at the mesh are needed in any case.
-  std::vector<std::uint32_t> cells;
-  for(auto f : input.mesh().faces())
-    cells.push_back(
-      shell.field.locate(converted<Point_3>(input.mesh().point(input.mesh().target(input.mesh().halfedge(f))))));
+  // A cover that does not separate the sides of walls has far fewer boxes. It suffices for most meshes, because the
+  // mesh is on both sides.
+  constexpr int no_separation = 0;
+  cover.emplace(shell.field, shell.inner, shell.outer, no_separation);
+  const auto shared = flood_cover<ConcurrencyTag>(input, seeds, *cover);
+  if(shared.empty() && cover->number_of_undecided_boxes() == 0
+     && cover->are_monotone_boxes_connected_to(
+       [&](const auto& visit) { visit_points_of_facets(input.mesh(), shell.field, visit); }))
+    return shared;
   cover.emplace(shell.field, shell.inner, shell.outer);
-  cover->template prepare<ConcurrencyTag>(std::move(cells));
-  std::vector<Shared> shared;
-  for(std::size_t c = 0; c < input.number_of_components(); ++c) {
-    const std::uint32_t known = cover->template flood<ConcurrencyTag>(converted<Point_3>(input.mesh().point(seeds[c])),
-                                                                      std::uint32_t(c));
-    if(known != c) shared.push_back({ known, c });
-  }
-  return shared;
+  return flood_cover<ConcurrencyTag>(input, seeds, *cover);
 }
 
 // Returns whether an undecided box is proved to contain a critical point in the shell: between the thresholds, and

@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Cells/Lattice_set_3.h>
 #include <CGAL/Bspline_shell_3/Shell/Cover_box.h>
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
+#include <CGAL/Bspline_shell_3/Spline/Level_range.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Surface/internal/Field_cells.h>
 
@@ -22,13 +23,13 @@ namespace CGAL {
 namespace Bspline_shells {
 namespace internal {
 
-// The leaf cells of a shell's field, some of which are split: no leaf has both boxes of the shell's cover and boxes
-// outside of the cover that the level set may intersect. Leaves with boxes of the cover are selected. Boxes of the
-// cover touch only each other and excluded boxes, which a level between the thresholds does not intersect. Hence no
-// part of the level set leaves the selected leaves.
+// The leaf cells of a shell's field, some of which are split: no leaf that the level set may intersect has both boxes
+// of the shell's cover and boxes outside of the cover that are not excluded. Leaves with boxes of the cover are
+// selected. Boxes of the cover touch only each other and excluded boxes, which a level between the thresholds does not
+// intersect. Hence no part of the level set leaves the selected leaves.
 //
-// Leaves are also split if they have boxes of the cover that are monotone in nearly opposite directions. Two parts of
-// the level set are then close to each other, and each of them needs its own leaves.
+// Leaves are also split if they have boxes of the cover that are monotone in nearly opposite directions, or boxes with
+// critical points. Two parts of the level set may then be close to each other, and each of them needs its own leaves.
 //
 // Leaves that touch differ by at most one level. Leaves of the field that are not split keep their indices; the others
 // follow.
@@ -207,13 +208,23 @@ private:
     return false;
   }
 
-  // Splits a cell until its boxes are separated.
+  // Splits a cell until its boxes are separated. A range of one box may be the box around the cell.
   void separate(const Place& p, int depth, const Cover_box* begin, const Cover_box* end)
   {
+    constexpr int depth_at_walls = 3; // 2 * 2^3 nodes of the level set along each axis of a cell of the field
     const auto is_elsewhere = [](const Cover_box& b) { return !is_in_shell(b) && b.kind != Box_kind::EXCLUDED; };
+    const auto is_at_wall = [](const Cover_box& b) { return is_in_shell(b) && b.kind != Box_kind::MONOTONE; };
     if(std::none_of(begin, end, is_in_shell)) return;
-    if(std::none_of(begin, end, is_elsewhere) && !are_opposite(begin, end)) return;
+    if(std::none_of(begin, end, is_elsewhere) && !are_opposite(begin, end)
+       && (depth >= depth_at_walls || std::none_of(begin, end, is_at_wall)))
+      return;
+    const Level_range range = function(cell_or_leaf_around(p)).range();
+    if(range.min > 0 || range.max < 0) return;
     split(p);
+    if(begin->depth <= depth) { // one box around the cell
+      for(int o = 0; o < 8; ++o) separate(p.child(o), depth + 1, begin, end);
+      return;
+    }
     for(int o = 0; o < 8; ++o) {
       // Boxes in an octant are consecutive.
       const Cover_box* last = std::find_if(
