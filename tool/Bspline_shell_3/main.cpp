@@ -5,6 +5,8 @@
 #include "Commands/Outcome.h"
 #include "Commands/commands.h"
 
+#include <CGAL/Bspline_shell_3/Support/keep_freed_memory.h>
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -236,6 +238,7 @@ public:
 
 int main(int argc, char** argv)
 {
+  CGAL::Bspline_shells::keep_freed_memory();
   CLI::App program("Simplifies triangle meshes and keeps their attributes: colors, texture\n"
                    "coordinates, materials, groups, labels, and other properties. The distance and the one-to-one map\n"
                    "between the original and the result are proved: both lie in a shell, a thin layer around the\n"

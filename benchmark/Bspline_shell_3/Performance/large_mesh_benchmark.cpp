@@ -16,6 +16,7 @@
 #include <CGAL/Bspline_shell_3/Editing/simplify_in_shell.h>
 #include <CGAL/Bspline_shell_3/IO/read_polygon_mesh.h>
 #include <CGAL/Bspline_shell_3/Projection/Shell_map_3.h>
+#include <CGAL/Bspline_shell_3/Support/keep_freed_memory.h>
 #include <CGAL/Bspline_shell_3/Transfer/transfer_vertex_attribute.h>
 #include <CGAL/certified_bspline_shell_3.h>
 
@@ -260,6 +261,7 @@ void measure(const std::string& name, const Options& options)
 
 int main(int argc, char** argv)
 {
+  BS::keep_freed_memory();
   print_JSON_numbers();
   Options options;
   std::vector<std::string> names;

@@ -28,6 +28,7 @@
 #include <CGAL/Bspline_shell_3/IO/write_shell.h>
 #include <CGAL/Bspline_shell_3/Certificate/Shell_certificate_3.h>
 #include <CGAL/Bspline_shell_3/Soup/sample_soup_shares.h>
+#include <CGAL/Bspline_shell_3/Support/keep_freed_memory.h>
 #include <CGAL/Bspline_shell_3/Surface/extract_shell_surface.h>
 #include <CGAL/bspline_shell_3.h>
 #include <CGAL/certified_bspline_shell_3.h>
@@ -427,6 +428,7 @@ void certify_apart(const std::string& file, const Options& options)
 
 int main(int argc, char** argv)
 {
+  BS::keep_freed_memory();
   print_JSON_numbers();
   Options options;
   std::vector<std::string> files;
