@@ -781,4 +781,26 @@ TEST_CASE("Hierarchical field: changing a few coefficients yields the same leave
     }
 }
 
+TEST_CASE("Field with few other coefficients: it shares memory with the field from which it was made")
+{
+  CGAL::Random random(23);
+  Field field(some_cells_of_three_sizes(random));
+  REQUIRE(field.number_of_cells() > 500);
+  field.set_coefficients(random_vector(random, field.number_of_coefficients()));
+  const auto number_of_shared_cells = [&](const Field& other) {
+    std::size_t shared = 0;
+    for(Index c = 0; c < field.number_of_cells(); ++c)
+      shared += field.cell(c).coefficients() == other.cell(c).coefficients();
+    return shared;
+  };
+  Eigen::VectorXd x = field.coefficients();
+  CHECK(number_of_shared_cells(field.with_coefficients(x)) == field.number_of_cells());
+  x[0] += 1; // acts on few of the cells
+  const std::size_t shared = number_of_shared_cells(field.with_coefficients(x));
+  CHECK(shared < field.number_of_cells());
+  CHECK(shared > field.number_of_cells() / 4);
+  x.array() += 1;
+  CHECK(number_of_shared_cells(field.with_coefficients(x)) == 0);
+}
+
 } // namespace test_Hierarchical_bspline_field_3

@@ -78,12 +78,13 @@ public:
   {
     constexpr bool may_have_dependent = true;
     m_coefficients.setZero(Eigen::Index(number_of_coefficients()));
-    m_bernstein.reset(new double[64 * number_of_cells()]());
-    m_error_radius.assign(number_of_cells(), internal::conversion_radius(0, may_have_dependent));
+    const auto zero = std::make_shared<Form_block>();
+    zero->error_radii.fill(internal::conversion_radius(0, may_have_dependent));
+    m_forms.assign(number_of_blocks(), zero);
   }
 
   /// returns another function on the same cells, with the free coefficients `x`. Like copies, the two fields share the
-  /// cells. Where few coefficients differ from those of this function, the function in other cells is copied.
+  /// cells. If few coefficients differ from those of this function, they also share most of the polynomials.
   /// \pre `x.size() == number_of_coefficients()`
   template <typename ConcurrencyTag = Sequential_tag>
   Hierarchical_bspline_field_3 with_coefficients(Eigen::VectorXd x) const
@@ -96,7 +97,7 @@ public:
     for(Eigen::Index n = 0; n < x.size(); ++n)
       if(!(x[n] == m_coefficients[n])) different.push_back(Cell_index(n));
     if(many * Eigen::Index(different.size()) > x.size()) other.template set_coefficients<ConcurrencyTag>(std::move(x));
-    else other.template copy_with_coefficients<ConcurrencyTag>(*this, std::move(x), different);
+    else other.template share_with_coefficients<ConcurrencyTag>(*this, std::move(x), different);
     return other;
   }
 
@@ -109,7 +110,8 @@ public:
   bool has_exact_cells() const { return cells().is_exact(); }
   Cell cell(Cell_index c) const
   {
-    return Cell(cells().corner(c), cells().width(c), &m_bernstein[std::size_t(c) * 64], m_error_radius[c]);
+    const Form_block& block = *m_forms[c / block_size];
+    return Cell(cells().corner(c), cells().width(c), block.form(c % block_size), block.error_radii[c % block_size]);
   }
   /// returns a leaf that contains `p`, or `npos` outside the domain
   Cell_index locate(const Point_3& p) const { return cells().locate(p); }
@@ -303,8 +305,9 @@ public:
     m_coefficients = std::move(x);
     std::vector<Point_coefficient> all(number_of_points());
     for_each_point<ConcurrencyTag>([&](int l, Cell_index, Cell_index point) { all[point] = coefficient_at(l, point); });
-    set_forms<ConcurrencyTag>([&](Cell_index c, double* form) {
-      convert_to_bernstein(c, form, [&](int, Cell_index point) { return all[point]; });
+    m_forms.assign(number_of_blocks(), nullptr);
+    set_missing_blocks<ConcurrencyTag>([&](Cell_index c, double* form) {
+      return convert_to_bernstein(c, form, [&](int, Cell_index point) { return all[point]; });
     });
   }
   /// @}
@@ -329,34 +332,55 @@ private:
     return { sum, (std::max)(std::abs(sum), largest) };
   }
 
-  // Calls set(cell, coefficients) for all cells, which must write the 64 Bernstein coefficients, and the error radius.
-  template <typename ConcurrencyTag, typename Function>
-  void set_forms(const Function& set)
+  // The Bernstein forms and error radii of consecutive leaves, which fields share where they are equal.
+  static constexpr std::size_t block_size = 64; // leaves; smaller blocks share more, and larger ones are fewer
+  struct Form_block
   {
-    constexpr std::size_t chunk = 256;
-    double* bernstein = new double[64 * number_of_cells()]; // uninitialized, because threads write all of it
-    m_bernstein.reset(bernstein);
-    m_error_radius.resize(number_of_cells());
-    internal::for_each_chunk<ConcurrencyTag>(number_of_cells(), chunk, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t c = begin; c < end; ++c) set(Cell_index(c), bernstein + 64 * c);
+    const double* form(std::size_t n) const { return &coefficients[64 * n]; }
+    double* form(std::size_t n) { return &coefficients[64 * n]; }
+
+    std::array<double, 64 * block_size> coefficients = {};
+    std::array<double, block_size> error_radii = {};
+  };
+
+  std::size_t number_of_blocks() const { return (number_of_cells() + block_size - 1) / block_size; }
+
+  // Calls set(cell, coefficients) for the cells of all blocks that are null. It must write the 64 Bernstein
+  // coefficients, and return the error radius.
+  template <typename ConcurrencyTag, typename Function>
+  void set_missing_blocks(const Function& set)
+  {
+    constexpr std::size_t chunk = 4; // blocks
+    internal::for_each_chunk<ConcurrencyTag>(m_forms.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t b = begin; b < end; ++b) {
+        if(m_forms[b]) continue;
+        const auto block = std::make_shared<Form_block>();
+        const std::size_t first = b * block_size, size = (std::min)(block_size, number_of_cells() - first);
+        for(std::size_t n = 0; n < size; ++n) block->error_radii[n] = set(Cell_index(first + n), block->form(n));
+        m_forms[b] = block;
+      }
     });
   }
 
   // Sets all free coefficients, of which some differ from those of another function on the same cells.
   template <typename ConcurrencyTag>
-  void copy_with_coefficients(const Hierarchical_bspline_field_3& other, Eigen::VectorXd x,
-                              const std::vector<Cell_index>& different)
+  void share_with_coefficients(const Hierarchical_bspline_field_3& other, Eigen::VectorXd x,
+                               const std::vector<Cell_index>& different)
   {
     m_coefficients = std::move(x);
+    m_forms = other.m_forms;
     std::vector<char> is_different(number_of_cells(), 0);
-    for(Cell_index n : different) visit_cells(support(n), [&](Cell_index c) { is_different[c] = 1; });
-    set_forms<ConcurrencyTag>([&](Cell_index c, double* form) {
-      if(is_different[c]) {
-        convert_to_bernstein(c, form, [&](int level, Cell_index point) { return coefficient_at(level, point); });
-      } else {
-        std::copy_n(&other.m_bernstein[64 * std::size_t(c)], 64, form);
-        m_error_radius[c] = other.m_error_radius[c];
-      }
+    for(Cell_index n : different)
+      visit_cells(support(n), [&](Cell_index c) {
+        is_different[c] = 1;
+        m_forms[c / block_size].reset();
+      });
+    set_missing_blocks<ConcurrencyTag>([&](Cell_index c, double* form) {
+      if(is_different[c])
+        return convert_to_bernstein(c, form, [&](int level, Cell_index point) { return coefficient_at(level, point); });
+      const Cell cell = other.cell(c);
+      std::copy_n(cell.coefficients(), 64, form);
+      return cell.error_radius();
     });
   }
 
@@ -428,9 +452,9 @@ private:
     std::vector<Cell_index> coefficient_of_point, point_of_coefficient;
   };
 
-  // Writes the form of a cell; `at(level, point)` returns the coefficient at a point.
+  // Writes the form of a cell, and returns its error radius; `at(level, point)` returns the coefficient at a point.
   template <typename Coefficients>
-  void convert_to_bernstein(Cell_index c, double* b, const Coefficients& at)
+  double convert_to_bernstein(Cell_index c, double* b, const Coefficients& at) const
   {
     const std::array<Cell_index, 16> rows = coefficient_rows(c);
     const int level = cells().level(c);
@@ -447,14 +471,12 @@ private:
     // Constant coefficients need no conversion: thresholds are constant in most cells.
     if(!std::all_of(b + 1, b + 64, [b](double x) { return x == b[0]; })) internal::to_bernstein(b);
     for(int n = 0; n < 64; ++n) finite = finite && std::isfinite(b[n]); // sums may overflow
-    m_error_radius[c] = finite ? internal::conversion_radius(largest, !is_free)
-                               : std::numeric_limits<double>::infinity();
+    return finite ? internal::conversion_radius(largest, !is_free) : std::numeric_limits<double>::infinity();
   }
 
   std::shared_ptr<const Basis> m_basis = std::make_shared<const Basis>();
-  Eigen::VectorXd m_coefficients;              // free coefficients
-  std::shared_ptr<const double[]> m_bernstein; // 64 for each leaf, shared by copies
-  std::vector<double> m_error_radius;
+  Eigen::VectorXd m_coefficients;                          // free coefficients
+  std::vector<std::shared_ptr<const Form_block> > m_forms; // block n: leaves n * block_size, ...
 };
 
 } // namespace Bspline_shells
