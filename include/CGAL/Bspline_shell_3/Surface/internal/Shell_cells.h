@@ -10,6 +10,7 @@
 #include <CGAL/Bspline_shell_3/Shell/Cover_box.h>
 #include <CGAL/Bspline_shell_3/Spline/Bernstein_bounds.h>
 #include <CGAL/Bspline_shell_3/Spline/Level_range.h>
+#include <CGAL/Bspline_shell_3/Spline/monotone_direction.h>
 #include <CGAL/Bspline_shell_3/Support/coordinates.h>
 #include <CGAL/Bspline_shell_3/Surface/internal/Field_cells.h>
 
@@ -215,11 +216,13 @@ private:
     const auto is_elsewhere = [](const Cover_box& b) { return !is_in_shell(b) && b.kind != Box_kind::EXCLUDED; };
     const auto is_at_wall = [](const Cover_box& b) { return is_in_shell(b) && b.kind != Box_kind::MONOTONE; };
     if(std::none_of(begin, end, is_in_shell)) return;
-    if(std::none_of(begin, end, is_elsewhere) && !are_opposite(begin, end)
-       && (depth >= depth_at_walls || std::none_of(begin, end, is_at_wall)))
-      return;
-    const Level_range range = function(cell_or_leaf_around(p)).range();
+    const bool has_parts = std::any_of(begin, end, is_elsewhere) || are_opposite(begin, end);
+    if(!has_parts && (depth >= depth_at_walls || std::none_of(begin, end, is_at_wall))) return;
+    const Enclosed_tricubic f = function(cell_or_leaf_around(p));
+    const Level_range range = f.range();
     if(range.min > 0 || range.max < 0) return;
+    std::array<double, 3> direction;
+    if(!has_parts && is_monotone(f, 0, direction)) return; // the level set is a graph
     split(p);
     if(begin->depth <= depth) { // one box around the cell
       for(int o = 0; o < 8; ++o) separate(p.child(o), depth + 1, begin, end);
