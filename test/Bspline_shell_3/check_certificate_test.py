@@ -213,10 +213,10 @@ class Files:
         return met[0], met[-1]
 
     def excluded_next_to_cover(self):
-        """Returns the line of an excluded box that touches a cover box."""
+        """Returns the line of an excluded box that touches a cover box at an end of the first path."""
         cubes = self.cubes()
-        low, h = cubes[self.ends_of_cover()[1][1]]
-        return next(i for i, (l, k) in cubes.items() if self.kind(i) == "x"
+        ends = [cubes[line] for _, line in reversed(self.ends_of_cover())]
+        return next(i for low, h in ends for i, (l, k) in cubes.items() if self.kind(i) == "x"
                     and all(low[a] <= l[a] + k and l[a] <= low[a] + h for a in range(3)))
 
     def boxes(self):
