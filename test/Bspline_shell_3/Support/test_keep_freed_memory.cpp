@@ -4,14 +4,21 @@
 #include <catch2/catch.hpp>
 
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
+
+#ifdef __GLIBC__
+#if __GLIBC_PREREQ(2, 33)
+#define HAVE_MALLINFO2
+#endif
+#endif
 
 namespace test_keep_freed_memory {
 namespace BS = CGAL::Bspline_shells;
 
 TEST_CASE("Kept memory: blocks between 32 MB and 256 MB come from the heap, larger ones from the system")
 {
-#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33)
+#ifdef HAVE_MALLINFO2
   const auto comes_from_system = [](std::size_t bytes) {
     const std::size_t before = mallinfo2().hblks;
     const std::unique_ptr<char, void (*)(void*)> block(static_cast<char*>(std::malloc(bytes)), std::free);
