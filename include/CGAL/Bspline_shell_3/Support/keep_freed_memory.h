@@ -20,9 +20,9 @@ namespace Bspline_shells {
  *
  * \brief makes the process keep freed blocks of up to 256 MB for later use.
  *
- * By default, the allocator of glibc returns each freed block of more than 32 MB to the operating system, which must
- * clear it before it can be used again. The construction of a shell with \f$10^5\f$ cells allocates and frees hundreds
- * of such blocks. A program that calls this function first takes 10 to 25 % less time for it, and 10 to 20 % more
+ * By default, the allocator of glibc returns each freed block of more than 32 MB to the operating system. The system
+ * clears memory before it hands it out again. The construction of a shell with \f$10^5\f$ cells allocates and frees
+ * many such blocks. A program that calls this function first takes 10 to 25 % less time for it, and 10 to 20 % more
  * memory. With other C libraries, the function has no effect.
  *
  * The setting holds for the whole process, so no other function of the package changes it.

@@ -212,7 +212,7 @@ private:
   // Splits a cell until its boxes are separated. A range of one box may be the box around the cell.
   void separate(const Place& p, int depth, const Cover_box* begin, const Cover_box* end)
   {
-    constexpr int depth_at_walls = 3; // 2 * 2^3 nodes of the level set along each axis of a cell of the field
+    constexpr int depth_at_walls = 3; // halvings; boxes of covers that separate the sides of walls are as small
     const auto is_elsewhere = [](const Cover_box& b) { return !is_in_shell(b) && b.kind != Box_kind::EXCLUDED; };
     const auto is_at_wall = [](const Cover_box& b) { return is_in_shell(b) && b.kind != Box_kind::MONOTONE; };
     if(std::none_of(begin, end, is_in_shell)) return;
