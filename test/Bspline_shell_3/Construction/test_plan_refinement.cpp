@@ -56,8 +56,7 @@ TEST_CASE("Refinement plan: without any findings, nothing is refined")
   const BS::Refinement_plan plan = plan_for(block(), BS::Round_findings());
   CHECK(plan.split.empty());
   CHECK(plan.at_gaps.empty());
-  CHECK(plan.similar.empty());
-  CHECK(plan.with_larger_weights.empty());
+  CHECK(plan.is_empty());
 }
 
 TEST_CASE("Refinement plan: neighbors are also refined at failing slopes and at few thick cells, but not at many")
@@ -136,19 +135,25 @@ TEST_CASE("Refinement plan: the treatment of obstacles depends on their kind")
     const BS::Refinement_plan plan = plan_for(cells, found);
     CHECK(plan.split == Cells{ thick });
     CHECK(plan.at_gaps.empty());
-    CHECK(plan.with_larger_weights.empty());
   }
-  SECTION("at narrow gaps, causing cells are split instead, and the next field is pulled to zero in both cells")
+  SECTION("obstacles at gaps with larger weights are not split, but the field is fitted again")
+  {
+    found.kind = Obstacle_kind::WEIGHED_GAPS;
+    BS::Refinement_plan plan = plan_for(cells, found);
+    CHECK(plan.split.empty());
+    CHECK_FALSE(plan.is_empty());
+    found.cells_with_small_slopes = { thick };
+    plan = plan_for(cells, found);
+    CHECK(std::binary_search(plan.split.begin(), plan.split.end(), thick));
+    CHECK_FALSE(std::binary_search(plan.split.begin(), plan.split.end(), cause));
+  }
+  SECTION("at narrow gaps, causing cells are split instead")
   {
     found.kind = Obstacle_kind::NARROW_GAPS;
     found.causing_cells = { cause };
-    found.similar = { thick };
     const BS::Refinement_plan plan = plan_for(cells, found);
     CHECK(plan.split == Cells{ cause });
     CHECK(plan.at_gaps == Cells{ cause });
-    CHECK(plan.similar == Cells{ thick });
-    CHECK(std::is_permutation(plan.with_larger_weights.begin(), plan.with_larger_weights.end(),
-                              Cells{ obstacle, cause }.begin()));
   }
 }
 

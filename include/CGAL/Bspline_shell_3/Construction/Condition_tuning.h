@@ -36,9 +36,20 @@ struct Condition_tuning
   double slope_at_gap = 0.25;
   /// Cells at a gap are split in one round until their width is at most this multiple of the gap.
   double cell_at_gap = 4;
-  /// A neighbor of a cell is split with it if |f| on the mesh in the neighbor is at least this fraction of |f| in the
-  /// cell.
-  double similar = 0.7;
+  /// Factor on the weight of the surface term in a cell as wide as a gap in it (`surface_factor_at_gap()`). With 100, a
+  /// plain plate of 0.2 % needs 39 K cells instead of one thousand; with 10000, nested layers with gaps of 3 % need
+  /// 109 K instead of 14 K.
+  double weight_at_gap = 1000;
+  /// Largest width of a cell with a larger weight, as a multiple of the gap. Without a limit, the cover of a plain
+  /// plate of 0.1 % needs too many boxes.
+  double widest_cell_at_gap = 24;
+  /// Least |cosine| of the angle between two facets in a cell with a larger weight. With 0.7, the mesh three_peaks of
+  /// \cgal's data folder needs twice as many cells; with 0.95, layers with gaps of 3 % need six times as many.
+  double least_parallel_cosine = 0.9;
+  /// Weights are increased if at least this fraction of the obstacles can be removed in this way. An obstacle can if
+  /// the weight can be increased in at least this fraction of its causing cells. With 0.55, a plate of 2 % needs three
+  /// times as many cells.
+  double weighable = 0.5;
 };
 
 inline constexpr Condition_tuning condition_tuning = {};

@@ -9,6 +9,7 @@
 #include <CGAL/Bspline_shell_3/Cells/Cell_hierarchy_3.h>
 #include <CGAL/Bspline_shell_3/Construction/Refinement_budget.h>
 #include <CGAL/Bspline_shell_3/Construction/Refinement_problem.h>
+#include <CGAL/Bspline_shell_3/Construction/Weights_at_gaps.h>
 #include <CGAL/Bspline_shell_3/Field/Hierarchical_bspline_field_3.h>
 #include <CGAL/Bspline_shell_3/Field/refined_coefficients.h>
 #include <CGAL/Bspline_shell_3/Fit/Fit_energy.h>
@@ -24,7 +25,6 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -52,7 +52,7 @@ public:
   typedef Eigen::VectorXd Vector;
 
   /// \pre `problem` outlives this object
-  explicit Fitted_field(const Refinement_problem& problem) : m_problem(problem) {}
+  explicit Fitted_field(Refinement_problem& problem) : m_problem(problem) {}
 
   /// fits a field on new cells.
   /// \param may_be_partial whether to fit only the coefficients that act on split cells if there are few of them
@@ -69,7 +69,6 @@ public:
       return Refinement_status::DISTANCE_NOT_FINITE;
     budget.end_step(Refinement_budget::DISTANCE);
 
-    inherit_surface_factors(cells);
     const std::shared_ptr<Field> before = std::exchange(m_field, std::make_shared<Field>(std::move(cells)));
     budget.round().cells = m_field->number_of_cells();
     budget.round().unknowns = m_field->number_of_coefficients();
@@ -78,6 +77,14 @@ public:
     m_clipped.emplace(clip_mesh_to_cells<ConcurrencyTag>(*m_problem.input, m_field->cells()));
     const double largest_part = m_problem.parameters.tuning.largest_part * double(m_field->number_of_cells());
     m_part.reset();
+    if(!m_weights.factors().empty()) {
+      if(before->number_of_cells() != m_field->number_of_cells())
+        m_weights.refine(before->cells(), m_field->cells(), *m_clipped, m_problem.gap());
+      for(Index c : std::exchange(m_reweighed, {})) {
+        const Index now = m_field->cells().leaf(before->cells().level(c), before->cells().lattice_point(c));
+        if(now != Field::npos) split.push_back(now);
+      }
+    }
     if(may_be_partial && double(split.size()) < largest_part) {
       m_part.emplace(*m_field, split);
       if(double(m_part->number_of_cells) > largest_part) m_part.reset();
@@ -99,12 +106,13 @@ public:
   /// \return the previous field
   Field update() { return std::exchange(*m_field, m_field->template with_coefficients<ConcurrencyTag>(m_x * width())); }
 
-  /// increases the weight of the surface term in the given cells in later fits
-  void increase_surface_weights(const std::vector<Index>& cells)
+  /// increases the weight of the surface term in later fits, in the gaps that contain given cells (`Weights_at_gaps`).
+  /// \return whether the weight of a cell increases
+  bool weigh_gaps(const std::vector<Index>& cells)
   {
-    if(cells.empty()) return;
-    m_surface_factors.resize(m_field->number_of_cells(), 1);
-    for(Index c : cells) m_surface_factors[c] = float(m_problem.parameters.tuning.weight_near_obstacles);
+    if(cells.empty()) return false;
+    m_reweighed = m_weights.add(m_field->cells(), *m_clipped, m_problem.gap(), cells);
+    return !m_reweighed.empty();
   }
 
   /// frees the matrix
@@ -130,7 +138,7 @@ private:
   {
     Fit_energy<Field> energy(*m_field, m_samples, *m_clipped, m_problem.input->unit() / width(),
                              m_problem.parameters.weights);
-    energy.set_surface_factors(m_surface_factors);
+    energy.set_surface_factors(m_weights.factors());
     return energy;
   }
 
@@ -152,20 +160,7 @@ private:
     return solve_part(m_problem.solver, m_A, m_b, m_part->coefficients, overlapping_blocks(*m_field), m_x);
   }
 
-  void inherit_surface_factors(const Cell_hierarchy_3& cells)
-  {
-    if(m_surface_factors.empty()) return;
-    std::vector<float> factors(cells.number_of_cells(), 1);
-    for(Index c = 0; c < factors.size(); ++c) {
-      const std::array<double, 3> corner = cells.corner(c);
-      const double half = cells.width(c) / 2;
-      const Index before = m_field->locate(Field::Point_3(corner[0] + half, corner[1] + half, corner[2] + half));
-      if(before != Field::npos) factors[c] = m_surface_factors[before];
-    }
-    m_surface_factors.swap(factors);
-  }
-
-  const Refinement_problem& m_problem;
+  Refinement_problem& m_problem;
   std::shared_ptr<Field> m_field;
   std::vector<double> m_samples;
   std::optional<Clipped_mesh_3> m_clipped;
@@ -173,7 +168,8 @@ private:
   Matrix m_A;
   Vector m_b, m_x;
   Solver_status m_solved = Solver_status::SUCCESS;
-  std::vector<float> m_surface_factors; // by cell (`Fit_energy`); empty if all are 1
+  Weights_at_gaps<ConcurrencyTag> m_weights;
+  std::vector<Index> m_reweighed; // cells whose weight has changed since the last fit
 };
 
 } // namespace Bspline_shells

@@ -36,7 +36,8 @@ enum class Obstacle_kind
   FEW,         ///< a few places
   MANY,        ///< many places, without a common cause
   THICK_FIELD, ///< many places, after |f| was too large on the mesh in many cells
-  NARROW_GAPS  ///< walls or gaps are too narrow for the thickness on much of the mesh
+  NARROW_GAPS, ///< walls or gaps are too narrow for the thickness on much of the mesh
+  WEIGHED_GAPS ///< flat walls or gaps in which the field is fitted again with larger weights
 };
 
 /// \ingroup PkgBsplineShell3Construction

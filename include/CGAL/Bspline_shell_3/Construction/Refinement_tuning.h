@@ -74,7 +74,8 @@ struct Refinement_tuning
   std::size_t cells_of_thin = 5, cells_of_nearly_thin = 12;
   /// If more than 1/`cells_to_split_alone` of the surface cells have obstacles, they are split without neighbors.
   std::size_t cells_to_split_alone = 38;
-  /// Up to this number of cells with obstacles, only their face neighbors are split with them.
+  /// Up to this number of cells with obstacles, only their face neighbors are split with them, and weights at gaps are
+  /// not increased.
   std::size_t few_obstacles = 8;
   /// Number of times that the field is corrected at obstacles. It is not corrected again if more than the fraction
   /// `obstacles_left` of the cells with obstacles remain, unless these are at most `few_obstacles_left` and no more
@@ -89,10 +90,6 @@ struct Refinement_tuning
 
   /// Fraction of an obstacle's value that |f| may reach on the mesh nearby before the cell there is split.
   double most_at_obstacles = 0.7;
-  /// Fraction of half the thickness below which |f| on the mesh is ignored, for example in the middle of walls.
-  double considerable = 1e-3;
-  /// Factor on the weight of the surface term of the energy near obstacles.
-  double weight_near_obstacles = 20;
   /// Largest number of times that a cell is split in one round.
   int max_halvings = 2;
   /// Layers of cells that are split around a split cell.

@@ -48,16 +48,35 @@ inline std::vector<std::uint32_t> cells_of(const std::vector<Threshold_obstacle>
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
- * \brief returns the cells where |f| on the mesh is so large that thresholds cannot exclude the obstacles.
+ * \brief returns the cells where |f| on the mesh is so large that thresholds cannot exclude an obstacle.
  *
  * Thresholds are splines on the same cells, so all cells in the supports of the functions that act on an obstacle's
  * cell are examined. In the middle of a thin wall, for example, the field is near zero, and the cells with large values
- * are at its rim, some cells away. If no cell qualifies, the obstacle's cell itself is returned.
+ * are at its rim, some cells away. An obstacle whose side is `ZERO` has no causing cells.
  *
  * \param ranges enclosures of the field on the part of the mesh in each cell
- * \param part largest allowed |f| on the mesh, as a fraction of an obstacle's size
- * \return the cells, ascending
+ * \param part largest allowed |f| on the mesh, as a fraction of the obstacle's size
  */
+template <typename Field>
+std::vector<std::uint32_t> causing_cells_of(const Field& field, const std::vector<Level_range>& ranges,
+                                            const Threshold_obstacle& o, double part)
+{
+  std::vector<std::uint32_t> cells;
+  if(o.side == ZERO) return cells;
+  // The box of all supports is shrunk to skip cells that only touch it.
+  Bbox_3 b = field.cell(o.cell).bbox();
+  field.visit_coefficients(o.cell, [&](int, std::uint32_t u, double) { b += field.support(u); });
+  const double inside = field.cells().width(o.cell) / 64;
+  const Bbox_3 box(b.xmin() + inside, b.ymin() + inside, b.zmin() + inside, b.xmax() - inside, b.ymax() - inside,
+                   b.zmax() - inside);
+  field.visit_cells(box, [&](std::uint32_t c) {
+    if((o.side == POSITIVE ? ranges[c].max : -ranges[c].min) > part * o.size) cells.push_back(c);
+  });
+  return cells;
+}
+
+/// \ingroup PkgBsplineShell3Construction
+/// returns the causing cells of all obstacles, ascending; the cell of an obstacle without causing cells is included
 template <typename ConcurrencyTag, typename Field>
 std::vector<std::uint32_t> causing_cells_of(const Field& field, const std::vector<Level_range>& ranges,
                                             const std::vector<Threshold_obstacle>& obstacles, double part)
@@ -66,20 +85,9 @@ std::vector<std::uint32_t> causing_cells_of(const Field& field, const std::vecto
   constexpr std::size_t chunk = 16;
   const auto find = [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
     for(std::size_t n = begin; n < end; ++n) {
-      const Threshold_obstacle& o = obstacles[n];
-      const std::size_t before = found.size();
-      if(o.side != ZERO) {
-        // The box of all supports is shrunk to skip cells that only touch it.
-        Bbox_3 b = field.cell(o.cell).bbox();
-        field.visit_coefficients(o.cell, [&](int, Index u, double) { b += field.support(u); });
-        const double inside = field.cells().width(o.cell) / 64;
-        const Bbox_3 box(b.xmin() + inside, b.ymin() + inside, b.zmin() + inside, b.xmax() - inside, b.ymax() - inside,
-                         b.zmax() - inside);
-        field.visit_cells(box, [&](Index c) {
-          if((o.side == POSITIVE ? ranges[c].max : -ranges[c].min) > part * o.size) found.push_back(c);
-        });
-      }
-      if(found.size() == before) found.push_back(o.cell);
+      const std::vector<Index> causing = causing_cells_of(field, ranges, obstacles[n], part);
+      if(causing.empty()) found.push_back(obstacles[n].cell);
+      found.insert(found.end(), causing.begin(), causing.end());
     }
     sort_unique(found);
   };

@@ -43,18 +43,15 @@ struct Common_direction
 template <typename Field>
 std::optional<Common_direction> common_direction(const Field& field, const Clipped_mesh_3& clipped, const Bbox_3& box)
 {
-  const std::vector<Clipped_mesh_3::Piece>& pieces = clipped.pieces();
   std::vector<std::uint32_t> facets;
   field.visit_cells(box, [&](typename Field::Cell_index c) {
-    auto piece = std::lower_bound(pieces.begin(), pieces.end(), c,
-                                  [](const Clipped_mesh_3::Piece& p, std::uint32_t n) { return p.cell < n; });
-    for(; piece != pieces.end() && piece->cell == c; ++piece) {
+    for(const Clipped_mesh_3::Piece& piece : clipped.pieces(c)) {
       Bbox_3 b;
-      for(std::uint32_t v = 0; v < piece->size; ++v) {
-        const auto& p = clipped.point(piece->first + v);
+      for(std::uint32_t v = 0; v < piece.size; ++v) {
+        const auto& p = clipped.point(piece.first + v);
         b += Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
       }
-      if(do_overlap(b, box)) facets.push_back(piece->facet);
+      if(do_overlap(b, box)) facets.push_back(piece.facet);
     }
   });
   sort_unique(facets);

@@ -22,10 +22,6 @@
 namespace CGAL {
 namespace Bspline_shells {
 
-/// \ingroup PkgBsplineShell3Construction
-/// the pieces of a mesh in a cell, or in successive cells
-typedef Iterator_range<std::vector<Clipped_mesh_3::Piece>::const_iterator> Piece_range;
-
 /*!
  * \ingroup PkgBsplineShell3Construction
  *
@@ -37,7 +33,7 @@ typedef Iterator_range<std::vector<Clipped_mesh_3::Piece>::const_iterator> Piece
  * \param width width of the cell
  */
 template <typename Visitor>
-void visit_condition_points(const Clipped_mesh_3& clipped, const Piece_range& pieces, double width,
+void visit_condition_points(const Clipped_mesh_3& clipped, const Clipped_mesh_3::Piece_range& pieces, double width,
                             const Visitor& visit)
 {
   const std::size_t few = condition_tuning.few_pieces, most = condition_tuning.max_pieces;
@@ -85,9 +81,10 @@ std::vector<Slope_condition> conditions_by_cell(const Clipped_mesh_3& clipped, c
     pieces.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<Slope_condition>& conditions) {
       for(std::size_t n = first_of_cell(begin), next; n < end; n = next) {
         for(next = n + 1; next < pieces.size() && pieces[next].cell == pieces[n].cell; ++next) {}
-        conditions_in(pieces[n].cell,
-                      Piece_range(pieces.begin() + std::ptrdiff_t(n), pieces.begin() + std::ptrdiff_t(next)),
-                      conditions);
+        conditions_in(
+          pieces[n].cell,
+          Clipped_mesh_3::Piece_range(pieces.begin() + std::ptrdiff_t(n), pieces.begin() + std::ptrdiff_t(next)),
+          conditions);
       }
     });
 }

@@ -47,7 +47,7 @@ std::vector<Slope_condition> fold_conditions(const Field& field, const Clipped_m
                                              double fraction)
 {
   return conditions_by_cell<ConcurrencyTag>(
-    clipped, [&](std::uint32_t c, const Piece_range& pieces, std::vector<Slope_condition>& conditions) {
+    clipped, [&](std::uint32_t c, const Clipped_mesh_3::Piece_range& pieces, std::vector<Slope_condition>& conditions) {
       if(!needs_conditions(c)
          || std::none_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return is_at_fold(piece.facet); }))
         return;

@@ -13,7 +13,6 @@
 
 #include <CGAL/enum.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -33,16 +32,12 @@ namespace Bspline_shells {
 inline double gap_in_cell(const Local_gap_3& gap, const Clipped_mesh_3& clipped, Cell_hierarchy_3::Index c, Sign side,
                           double most)
 {
-  const auto& pieces = clipped.pieces();
-  auto piece = std::lower_bound(
-    pieces.begin(), pieces.end(), c,
-    [](const Clipped_mesh_3::Piece& p, Cell_hierarchy_3::Index cell) { return p.cell < cell; });
   double least = most;
   std::vector<std::array<double, 3> > corners;
-  for(; piece != pieces.end() && piece->cell == c; ++piece) {
+  for(const Clipped_mesh_3::Piece& piece : clipped.pieces(c)) {
     corners.clear();
-    for(std::uint32_t v = 0; v < piece->size; ++v) corners.push_back(clipped.point(piece->first + v));
-    least = gap(Input_mesh_3::Face_index(piece->facet), corners.data(), corners.size(), side, least);
+    for(std::uint32_t v = 0; v < piece.size; ++v) corners.push_back(clipped.point(piece.first + v));
+    least = gap(Input_mesh_3::Face_index(piece.facet), corners.data(), corners.size(), side, least);
   }
   return least;
 }

@@ -34,7 +34,6 @@ struct Round_findings
   std::vector<Threshold_obstacle> obstacles;
   Obstacle_kind kind = Obstacle_kind::FEW; ///< kind of the obstacles
   std::vector<Index> causing_cells;        ///< cells at narrow gaps, where |f| leaves no room for thresholds
-  std::vector<Index> similar;              ///< cells that are similar to causing cells (`similar_cells()`)
   std::vector<Index> two_sheets;           ///< cells where two components of the mesh share a component of the shell
 };
 
@@ -47,10 +46,11 @@ struct Refinement_plan
 {
   typedef Cell_hierarchy_3::Index Index;
 
-  std::vector<Index> split;               ///< cells to split, ascending; empty if none can be split
-  std::vector<Index> at_gaps;             ///< cells to split repeatedly where gaps are far narrower than the cell
-  std::vector<Index> similar;             ///< cells to split as well, if the limits allow it
-  std::vector<Index> with_larger_weights; ///< cells with a larger weight of the surface term in later fits
+  std::vector<Index> split;   ///< cells to split, ascending; empty if none can be split
+  std::vector<Index> at_gaps; ///< cells to split repeatedly where gaps are far narrower than the cell
+  bool fits_again = false;    ///< whether to fit the field again even if no cell is split
+
+  bool is_empty() const { return split.empty() && !fits_again; }
 };
 
 /*!
@@ -86,14 +86,12 @@ inline Refinement_plan plan_refinement(const Cell_hierarchy_3& cells, const Roun
   }
   const std::vector<Index> obstacles = cells_of(found.obstacles);
   switch(found.kind) {
+    case Obstacle_kind::WEIGHED_GAPS: plan.fits_again = true; break;
     case Obstacle_kind::THICK_FIELD: mark(found.thick_at_first); break;
     case Obstacle_kind::NARROW_GAPS:
       mark(found.causing_cells);
       if(marked.empty()) mark_widely(obstacles, all_axes); // causing cells cannot be split further
       plan.at_gaps = found.causing_cells;
-      plan.similar = found.similar;
-      plan.with_larger_weights = found.causing_cells;
-      plan.with_larger_weights.insert(plan.with_larger_weights.end(), obstacles.begin(), obstacles.end());
       break;
     case Obstacle_kind::MANY: plan.at_gaps = obstacles; [[fallthrough]];
     case Obstacle_kind::FEW:

@@ -18,11 +18,11 @@
 #include <CGAL/Bspline_shell_3/Construction/Refinement_problem.h>
 #include <CGAL/Bspline_shell_3/Construction/Refinement_tuning.h>
 #include <CGAL/Bspline_shell_3/Construction/Threshold_obstacle.h>
+#include <CGAL/Bspline_shell_3/Construction/Weights_at_gaps.h>
 #include <CGAL/Bspline_shell_3/Construction/common_direction.h>
 #include <CGAL/Bspline_shell_3/Construction/plan_refinement.h>
 #include <CGAL/Bspline_shell_3/Construction/refine_at_gaps.h>
 #include <CGAL/Bspline_shell_3/Construction/refinement_obstacles.h>
-#include <CGAL/Bspline_shell_3/Construction/similar_cells.h>
 #include <CGAL/Bspline_shell_3/Construction/thickness_on_mesh.h>
 #include <CGAL/Bspline_shell_3/Field/Thresholds.h>
 #include <CGAL/Bspline_shell_3/Fit/Any_signed_distance_3.h>
@@ -93,12 +93,12 @@ public:
       const std::optional<Refinement_status> failure = fit(std::move(cells));
       if(failure) return *failure;
       Round_findings found = correct_and_choose_thresholds();
-      if(m_examined.thresholds().are_chosen() && plan(found).split.empty() && certify(found))
+      if(m_examined.thresholds().are_chosen() && plan(found).is_empty() && certify(found))
         return Refinement_status::CERTIFIED;
 
       const Refinement_plan next = plan(found); // again, because `certify()` may add cells to `found`
       m_budget.round().marked_cells = next.split.size();
-      const bool is_stalled = next.split.empty() || m_history.is_stalled();
+      const bool is_stalled = next.is_empty() || m_history.is_stalled();
       if(!is_stalled) {
         cells = refined_cells(next);
         m_limit = limit_of_round(cells.number_of_cells()); // before equations are allocated
@@ -236,6 +236,7 @@ private:
     }
     m_budget.round().undecided_cells = obstacles.size();
     found.kind = m_history.kind_of_obstacles(cells, m_fitted.cells_at_mesh(), !found.thick_at_first.empty());
+    if(cells > m_tuning.few_obstacles && weigh_gaps(obstacles)) found.kind = Obstacle_kind::WEIGHED_GAPS;
     if(found.kind == Obstacle_kind::NARROW_GAPS) find_causing_cells(obstacles, found);
     found.obstacles = std::move(obstacles);
   }
@@ -262,22 +263,22 @@ private:
     return conditions;
   }
 
+  // Increases weights in the gaps where they are expected to remove the obstacles. Returns whether there are any.
+  bool weigh_gaps(const std::vector<Threshold_obstacle>& obstacles)
+  {
+    return m_fitted.weigh_gaps(
+      weighable_cells<ConcurrencyTag>(*field(), m_fitted.clipped(), m_problem.gap(),
+                                      m_examined.ranges(Mesh_ranges::SHARP), obstacles, m_tuning.most_at_obstacles));
+  }
+
   // Finds the cells where |f| on the mesh is so large that little or no room is left for a threshold between the mesh
-  // and an obstacle. If there are few obstacles without room, similar cells are added.
+  // and an obstacle.
   void find_causing_cells(const std::vector<Threshold_obstacle>& obstacles, Round_findings& found)
   {
     std::vector<Threshold_obstacle> places = m_examined.thresholds().narrow_places();
     places.insert(places.end(), obstacles.begin(), obstacles.end());
     const std::vector<Level_range>& ranges = m_examined.ranges(Mesh_ranges::SHARP);
     found.causing_cells = causing_cells_of<ConcurrencyTag>(*field(), ranges, places, m_tuning.most_at_obstacles);
-    if(cells_of(obstacles).size() > many_obstacles(m_fitted.cells_at_mesh(), m_tuning)) return;
-    const Cell_hierarchy_3& cells = field()->cells();
-    std::vector<Index> considerable;
-    for(Index c : found.causing_cells)
-      if(cells.level(c) < cells.max_level()
-         && ranges[c].largest_size() > m_tuning.considerable * m_problem.half_thickness(*field(), c))
-        considerable.push_back(c);
-    found.similar = similar_cells(cells, ranges, considerable);
   }
 
   Refinement_plan plan(const Round_findings& found) const
@@ -287,25 +288,10 @@ private:
 
   Cell_hierarchy_3 refined_cells(const Refinement_plan& plan)
   {
-    m_fitted.increase_surface_weights(plan.with_larger_weights);
-    if(!plan.similar.empty()) {
-      const auto with_similar = [&](std::vector<Index> cells) {
-        cells.insert(cells.end(), plan.similar.begin(), plan.similar.end());
-        return cells;
-      };
-      Cell_hierarchy_3 cells = refined_cells(with_similar(plan.split), with_similar(plan.at_gaps));
-      if(!is_beyond_limits(cells.number_of_cells())) {
-        m_fitted.increase_surface_weights(plan.similar);
-        return cells;
-      }
-    }
-    return refined_cells(plan.split, plan.at_gaps);
-  }
-  Cell_hierarchy_3 refined_cells(const std::vector<Index>& split, const std::vector<Index>& at_gaps)
-  {
-    if(at_gaps.empty()) return field()->cells().refined(split, m_tuning.rings);
-    return refine_at_gaps<ConcurrencyTag>(field()->cells(), split, m_tuning.rings, at_gaps, m_tuning.max_halvings,
-                                          m_problem.gap(), m_fitted.clipped(),
+    if(plan.split.empty()) return field()->cells();
+    if(plan.at_gaps.empty()) return field()->cells().refined(plan.split, m_tuning.rings);
+    return refine_at_gaps<ConcurrencyTag>(field()->cells(), plan.split, m_tuning.rings, plan.at_gaps,
+                                          m_tuning.max_halvings, m_problem.gap(), m_fitted.clipped(),
                                           [&](std::size_t size) { return is_beyond_limits(size); });
   }
 

@@ -72,7 +72,7 @@ std::vector<Slope_condition> slope_conditions(const Field& field, const Clipped_
                                               const Slope& target_slope, const Predicate& needs_conditions,
                                               const Size& largest)
 {
-  return conditions_by_cell<ConcurrencyTag>(clipped, [&](std::uint32_t c, const Piece_range& pieces,
+  return conditions_by_cell<ConcurrencyTag>(clipped, [&](std::uint32_t c, const Clipped_mesh_3::Piece_range& pieces,
                                                          std::vector<Slope_condition>& conditions) {
     if(!needs_conditions(c)) return;
     const typename Field::Cell cell = field.cell(c);

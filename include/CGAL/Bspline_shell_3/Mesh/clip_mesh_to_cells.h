@@ -11,6 +11,7 @@
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 #include <CGAL/Bspline_shell_3/Support/sort_unique.h>
 
+#include <CGAL/Iterator_range.h>
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/assertions.h>
@@ -246,9 +247,20 @@ public:
     std::uint32_t size;  ///< number of vertices of the piece
     std::size_t first;   ///< its vertices are `point(first)` ... `point(first + size - 1)`
   };
+  /// successive pieces, for example those in a cell
+  typedef Iterator_range<std::vector<Piece>::const_iterator> Piece_range;
 
   std::size_t number_of_pieces() const { return m_pieces.size(); }
   const std::vector<Piece>& pieces() const { return m_pieces; }
+  /// returns the pieces in a cell
+  Piece_range pieces(std::uint32_t cell) const
+  {
+    const auto begin = std::lower_bound(m_pieces.begin(), m_pieces.end(), cell,
+                                        [](const Piece& p, std::uint32_t c) { return p.cell < c; });
+    auto end = begin;
+    while(end != m_pieces.end() && end->cell == cell) ++end;
+    return Piece_range(begin, end);
+  }
   const Point& point(std::size_t n) const { return m_points[m_corners[n]]; }
   /// returns the unit normal of a triangle of the mesh
   const Point& normal(std::uint32_t facet) const { return m_normals[facet]; }
