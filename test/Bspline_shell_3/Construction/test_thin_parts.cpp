@@ -139,6 +139,12 @@ TEST_CASE("Thin parts: a plate is certified on cells wider than its thickness, e
   check_certified(mesh, shell);
   const auto& cells = shell.field().cells();
   CHECK(cells.lattice().spacing() / double(1 << (cells.number_of_levels() - 1)) > 1.5 * thickness);
+  // The field is fitted again on the same cells, so that cells in the middle need not be split.
+  const std::vector<BS::Refinement_round>& rounds = shell.report().rounds;
+  REQUIRE(rounds.size() > 1);
+  CHECK(rounds[1].cells == rounds[0].cells);
+  CHECK(rounds[1].undecided_cells < rounds[0].undecided_cells / 2);
+  CHECK(cells.level(cells.locate(Point_3(0.5, 0.5, thickness / 2))) == 0);
   CHECK(width_at(shell, Point_3(0.5, 0.5, 0)) < 2 * thickness);
   CHECK(is_outside(shell, Point_3(0.5, 0.5, thickness / 2)));
 }

@@ -26,7 +26,7 @@ TEST_CASE("Kept memory: blocks between 32 MB and 256 MB come from the heap, larg
     return mallinfo2().hblks > before;
   };
   constexpr std::size_t MB = 1 << 20;
-  CHECK(comes_from_system(40 * MB));
+  CHECK(comes_from_system(200 * MB)); // the heap may have smaller free blocks
   BS::keep_freed_memory();
   CHECK_FALSE(comes_from_system(40 * MB));
   CHECK_FALSE(comes_from_system(200 * MB));
