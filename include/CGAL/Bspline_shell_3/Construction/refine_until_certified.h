@@ -266,9 +266,9 @@ private:
   // Increases weights in the gaps where they are expected to remove the obstacles. Returns whether there are any.
   bool weigh_gaps(const std::vector<Threshold_obstacle>& obstacles)
   {
-    return m_fitted.weigh_gaps(
-      weighable_cells<ConcurrencyTag>(*field(), m_fitted.clipped(), m_problem.gap(),
-                                      m_examined.ranges(Mesh_ranges::SHARP), obstacles, m_tuning.most_at_obstacles));
+    return m_fitted.weigh_gaps(weighable_cells<ConcurrencyTag>(*field(), m_fitted.clipped(), m_problem.gap(),
+                                                               m_examined.ranges(Mesh_ranges::SHARP), obstacles,
+                                                               m_tuning.most_at_obstacles));
   }
 
   // Finds the cells where |f| on the mesh is so large that little or no room is left for a threshold between the mesh
