@@ -39,8 +39,8 @@ namespace Bspline_shells {
  *
  * \brief the field of a round, the mesh clipped to its cells, and the linear system of the fit.
  *
- * A fit computes all coefficients, or only the coefficients that act on the cells split since the last round. Samples
- * of the signed distance are reused in cells that were not split.
+ * A fit computes all coefficients, or only the coefficients that act on cells with new samples or weights. Samples of
+ * the signed distance are reused in cells that were not split.
  */
 template <typename ConcurrencyTag>
 class Fitted_field
@@ -54,8 +54,8 @@ public:
   /// \pre `problem` outlives this object
   explicit Fitted_field(Refinement_problem& problem) : m_problem(problem) {}
 
-  /// fits a field on new cells.
-  /// \param may_be_partial whether to fit only the coefficients that act on split cells if there are few of them
+  /// fits a field on new cells, or on the same cells with new weights.
+  /// \param may_be_partial whether to fit only the coefficients that act on changed cells if there are few of them
   /// \param budget records sizes and times of the round
   /// \return the reason if the fit fails
   std::optional<Refinement_status> fit(Cell_hierarchy_3 cells, bool may_be_partial, Refinement_budget& budget)

@@ -11,8 +11,6 @@
 #include <CGAL/Bspline_shell_3/Mesh/clip_mesh_to_cells.h>
 #include <CGAL/Bspline_shell_3/Support/for_each_chunk.h>
 
-#include <CGAL/Iterator_range.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>

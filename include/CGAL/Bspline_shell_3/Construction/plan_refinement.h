@@ -59,7 +59,8 @@ struct Refinement_plan
  * \brief returns the cells to split after a round.
  *
  * Around failing slopes and few obstacles, neighbors of the same size are split as well, because splitting a single
- * cell gives the field little freedom. If many cells fail, they are split alone.
+ * cell gives the field little freedom. If many cells fail, they are split alone. Obstacles at gaps where the field will
+ * be fitted again with larger weights cause no splitting in this round.
  *
  * \param cells_at_mesh number of surface cells
  */

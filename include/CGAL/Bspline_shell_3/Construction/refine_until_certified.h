@@ -61,14 +61,15 @@ namespace Bspline_shells {
  *   points. An *obstacle* is a place where there is no room between the two. If there are few obstacles, the field is
  *   corrected there again.
  * - If nothing fails, `Shell_certificate_3` examines the claims.
- * - Unless all claims are proved, `plan_refinement()` chooses the cells to split.
+ * - Unless all claims are proved, `plan_refinement()` chooses the cells to split. At flat walls and gaps, the field is
+ *   first fitted again with larger weights (`Weights_at_gaps`).
  *
  * When refinement ends without a proof, the certificate examines the last field as well, so that the report contains
  * verdicts and witnesses.
  *
- * A round is *partial* if few cells were split: it fits only the coefficients that act on them, and examines only the
- * cells where the field changes (`Examined_field`). After a partial round without progress, or a correction that was
- * not completed, the next round is full.
+ * A round is *partial* if few cells were split or have a new weight: it fits only the coefficients that act on them,
+ * and examines only the cells where the field changes (`Examined_field`). After a partial round without progress, or a
+ * correction that was not completed, the next round is full.
  */
 template <typename ConcurrencyTag>
 class Certified_refinement

@@ -66,7 +66,7 @@ struct Refinement_round
   std::size_t failing_facets = 0;     ///< facets that are not proved to face along the gradient of the corrected field
   std::size_t undecided_cells = 0;    ///< places where the gradient claim fails and that thresholds cannot exclude
   std::size_t marked_cells = 0;
-  bool partial = false;               ///< whether only the neighborhood of split cells was fitted
+  bool partial = false;               ///< whether only the neighborhood of changed cells was fitted
   bool examined = false;              ///< whether thresholds were chosen; the certificate follows if no cell fails
   std::array<double, 7> seconds = {}; ///< cells, distance, assembly, solver, slopes, bounds, certificate
 };
